@@ -28,7 +28,8 @@ struct box_method_symbols {
     double tau, Ag, A, R, A_u, A_l, rho_u, rho_l, rho_g, C;
 };
 
-/* Glass that lets through 0.85 of diffuse light, the figure printed for clear single. */
+/* Glass with a diffuse transmittance of 0.85, the printed value for clear single
+ * glass. */
 static inline struct pp_glass box_method_printed_glass(void)
 {
     struct pp_glass glass = pp_glass_clear_single();
@@ -36,7 +37,7 @@ static inline struct pp_glass box_method_printed_glass(void)
     return glass;
 }
 
-/* Builds a room without round numbers. C is the printed one of 34 degrees. */
+/* Builds a room without round dimensions. C is the printed value for 34 degrees. */
 static inline struct box_method_symbols box_method_awkward_room(struct box_room *box,
                                                                 struct pp_glass glass)
 {

@@ -19,7 +19,7 @@ static void a_figure_that_contains_all_needs_nothing(void **state)
     assert_near(pp_allowance_factor(all_bits, &opening), 1.0, 0.0);
 }
 
-/* Tolerances below: a few products and quotients of doubles. */
+/* Tolerances of the tests below: rounding of a few products and quotients. */
 
 static void what_is_missing_is_multiplied_on_once(void **state)
 {
@@ -37,7 +37,8 @@ static void figures_for_clear_glass_become_those_of_the_glass_by_diffuse_light(
     struct pp_glass tinted = pp_glass_of_normal(1, 1.52, 0.02, 0.45);
     struct pp_opening opening = opening_with(tinted);
     unsigned clear = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_FRAME | PP_ALLOWS_DIRT;
-    /* one pane scaled down: half the normal transmittance is half the diffuse one */
+    /* A single pane with half the normal transmittance has half the diffuse
+     * transmittance. */
     assert_near(pp_allowance_factor(clear, &opening),
                 0.45 / pp_glass_clear_single().normal, 1e-14);
     opening.glass = pp_glass_clear_single();

@@ -14,7 +14,7 @@ static void build_worked_room(struct box_room *box)
 {
     box_room_build(box, 4.0, 6.0, 3.0, 0.2, 0.5, 0.7);
     struct pp_opening *window = box_room_south(box, 0.2, 0.9, 3.6, 1.5);
-    window->glass = pp_glass_diffusing(0.68); /* T by its diffuse transmittance */
+    window->glass = pp_glass_diffusing(0.68); /* T is its diffuse transmittance */
     window->maintenance = 0.9;
 }
 
@@ -43,8 +43,8 @@ static void proportional_to_glass_frame_dirt_and_angle(void **state)
     assert_relative(average_df_of(&box, 0), 0.7 * 0.71 * 0.5 / 0.68 * base, 1e-14);
 }
 
-/* From the middle of a window 1.5 m high, 0.75 m under the head: a reveal of as much
- * leaves 45 degrees. */
+/* From the middle of a window 1.5 m high, 0.75 m below the head: a reveal of the same
+ * depth leaves 45 degrees. */
 static void reveal_cuts_the_angle_from_above(void **state)
 {
     (void)state;
@@ -57,8 +57,8 @@ static void reveal_cuts_the_angle_from_above(void **state)
     assert_near(average_df_of(&box, 0), 0.0, 0.0);
 }
 
-/* (1 + R)/2 of the newer form, but for the dirt that it does not hold. By hand for the
- * worked room: R 0.45778, 2.5163 / 0.9 / 2 * 1.45778 = 2.0379. */
+/* (1 + R)/2 times the newer form, without the factor for dirt. By hand for the worked
+ * room: R 0.45778, 2.5163 / 0.9 / 2 * 1.45778 = 2.0379. */
 static void older_form_is_over_all_surfaces(void **state)
 {
     (void)state;
@@ -76,8 +76,8 @@ static void older_form_is_over_all_surfaces(void **state)
 }
 
 /* Room 4 x 6 x 3 m, window 3.6 x 1.5 m, its sill 0.4 m below the working plane at 0.85
- * m: 1.1 m of its height count in full, 0.4 m by the floor's 0.2, in all 1.1 + 0.08 of
- * 1.5. On a black floor the low part counts for nothing. */
+ * m: 1.1 m of its height count fully, 0.4 m with the floor's 0.2, together 1.1 + 0.08
+ * of 1.5. With a black floor the low part does not count. */
 static void glass_below_the_working_plane_counts_by_way_of_the_floor(void **state)
 {
     (void)state;
@@ -96,9 +96,9 @@ static void glass_below_the_working_plane_counts_by_way_of_the_floor(void **stat
     }
 }
 
-/* Glass of the same window counts for 1.1 of 1.5 m, whatever the floor; on a black one
- * the two practices are one, as they are for glass above the plane. Wholly below it:
- * nothing. */
+/* 1.1 of the 1.5 m of the same window count, for any floor. With a black floor, or if
+ * all glass is above the plane, both rules agree. A window entirely below the plane
+ * counts as zero. */
 static void glass_below_the_working_plane_can_be_left_out(void **state)
 {
     (void)state;
@@ -120,9 +120,9 @@ static void glass_below_the_working_plane_can_be_left_out(void **state)
     }
 }
 
-/* By hand, 4 x 6 x 3 m, a level pane of 1.1 x 0.7 m, T 0.68: R = (24 * 0.2 + 60 * 0.5
- * + 23.23 * 0.7 + 0.077) / 108 = 0.473639, DF = 0.68 * 0.77 * 180 / (108 (1 - R^2))
- * = 1.12500 %. */
+/* Calculated by hand, 4 x 6 x 3 m, a horizontal pane of 1.1 x 0.7 m, T 0.68: R = (24 *
+ * 0.2 + 60 * 0.5 + 23.23 * 0.7 + 0.077) / 108 = 0.473639, DF = 0.68 * 0.77 * 180 / (108
+ * (1 - R^2)) = 1.12500 %. */
 static void level_glass_sees_180_degrees_of_sky(void **state)
 {
     (void)state;
@@ -134,7 +134,7 @@ static void level_glass_sees_180_degrees_of_sky(void **state)
     double R = (24.0 * 0.2 + 60.0 * 0.5 + 23.23 * 0.7 + 0.77 * 0.1) / 108.0;
     double whole = 0.68 * 0.77 * 1.8 / (108.0 * (1.0 - R * R));
     assert_relative(average_df_of(&box, 0), whole, 1e-13);
-    /* in a well as deep as half its width, by what that lets through */
+    /* In a well as deep as half its width, multiplied by its efficiency. */
     box_room_reveal(&box, 0, pane->height_m / 2.0);
     struct pp_well_shape well = {1.1, 0.7, 0.35, 0.7};
     struct pp_well_efficiency N = pp_well_efficiency(&well, 0.0, &pane->glass);
@@ -142,7 +142,8 @@ static void level_glass_sees_180_degrees_of_sky(void **state)
     assert_true(N.whole > 0.6 && N.whole < 0.75);
 }
 
-/* Only the angle changes with the slope of one pane: 180 degrees less the slope. */
+/* For a single pane only the angle changes with the slope: 180 degrees less the
+ * slope. */
 static void sloping_glass_sees_180_degrees_less_its_slope(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
 /* test_counted_methods.c - `waldram` and `pepper-pot` in rooms: squares and dots
- * against the exact direct component. */
+ * compared with the exact direct component. */
 #include "methods/method.h"
 #include "methods/waldram/waldram_squares.h"
 #include "methods/view/window_drawing.h"
@@ -8,7 +8,7 @@
 #include "tests/lib/near.h"
 #include "tests/lib/room_of.h"
 
-/* Numbers in [0, 1) from a seed, the same everywhere. */
+/* Pseudo-random number in [0, 1), the same on all machines. */
 static double next(uint64_t *seed)
 {
     *seed = *seed * 6364136223846793005u + 1442695040888963407u;
@@ -20,7 +20,7 @@ static struct pp_receiver facing_up(double x, double y, double z)
     return (struct pp_receiver){{x, y, z}, {0.0, 0.0, 1.0}, 0};
 }
 
-/* One method's direct component of a whole room, allowances settled. */
+/* Direct component of a whole room by one method, with corrections. */
 static struct pp_part direct(const struct pp_method *method,
                              const struct pp_world *world,
                              const struct pp_outside_light *light,
@@ -49,7 +49,7 @@ static struct pp_part direct(const struct pp_method *method,
     return sum;
 }
 
-/* Exact areas on the diagram of sky and obstructions of a room's openings. */
+/* Exact areas of sky and obstructions of a room's openings on the diagram. */
 static struct pp_part areas(const struct pp_world *world,
                             const struct pp_outside_light *light,
                             const struct pp_receiver *receiver, bool glazed)
@@ -78,7 +78,8 @@ static struct pp_world *random_room(struct pp_outside_light *light, uint64_t *se
                                     bool obstructed)
 {
     char xml[2000], outside[400] = "";
-    double r[9]; /* drawn one by one: arguments are evaluated in any order */
+    double r
+        [9]; /* drawn one by one, since the evaluation order of arguments is not defined */
     for (int i = 0; i < 9; i++)
         r[i] = next(seed);
     if (obstructed)
@@ -106,9 +107,10 @@ static struct pp_receiver random_point(uint64_t *seed, double nearest, double fa
     return facing_up(x, nearest + (farthest - nearest) * next(seed), 0.85);
 }
 
-/* 2,000 random windows, with and without obstructions: without glass, the areas on the
- * diagram are the sky components and equivalent sky components of `exact`; scales
- * from tables are good to 1e-10 of Eh, which is left where much cancels. */
+/* 2,000 random windows with and without obstructions, without glass: the areas on the
+ * diagram equal the sky components and equivalent sky components of `exact`. Scales
+ * from tables are accurate to 1e-10 of Eh, which limits the accuracy of small
+ * differences. */
 static void areas_without_glass_are_exact(void **state)
 {
     (void)state;
@@ -127,8 +129,8 @@ static void areas_without_glass_are_exact(void **state)
     }
 }
 
-/* With glass the diagram is never short, and over by a few per cent at most for windows
- * that don't fill the view. */
+/* With glass the diagram is never too low, and at most a few per cent too high for
+ * windows that do not fill the view. */
 static void areas_with_glass_are_never_short(void **state)
 {
     (void)state;
@@ -152,8 +154,9 @@ static void areas_with_glass_are_never_short(void **state)
     assert_near(sum / WINDOWS, 0.01, 0.01);
 }
 
-/* Part squares of one column are out by less than a tenth each way (the remainder is
- * carried), a dot by what its cell is cut: bounds for every room, not on average. */
+/* Parts of squares in one column have an error of less than a tenth of a square,
+ * because the remainder is carried over; a dot has an error if the outline cuts its
+ * cell. These limits hold for every room, not only on average. */
 static void counts_come_near_exact_in_rooms(void **state)
 {
     (void)state;
@@ -175,8 +178,8 @@ static void counts_come_near_exact_in_rooms(void **state)
     }
 }
 
-/* A pepper-pot has the losses of glass right at every angle: a fine count of many
- * points has the mean of exact, where the glazed Waldram diagram is a little over. */
+/* A pepper-pot diagram has the correct glass losses at every angle: fine counts at many
+ * points have the mean of `exact`. The glazed Waldram diagram is slightly too high. */
 static void dots_are_unbiased_with_glass(void **state)
 {
     (void)state;
@@ -287,7 +290,7 @@ static void what_the_diagrams_do_not_hold_is_refused(void **state)
     pp_world_destroy(world);
 }
 
-/* Behind the window and in its plane nothing is seen of it. */
+/* Behind the window and in its plane nothing is visible through it. */
 static void a_window_seen_from_its_own_plane_gives_nothing(void **state)
 {
     (void)state;

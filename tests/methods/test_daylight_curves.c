@@ -1,5 +1,5 @@
-/* test_daylight_curves.c - no-sky lines where geometry has them, contours where `exact`
- * has their value. */
+/* test_daylight_curves.c - positions of no-sky lines by geometry, and of contours by
+ * `exact`. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -32,7 +32,8 @@ static struct pp_daylight_plan plan_of(const struct pp_world *world,
     return plan;
 }
 
-/* Every point of the one no-sky line keeps to y; sky lies south of it, on its left. */
+/* Every point of the only no-sky line has this y; sky is visible south of it, on its
+ * left. */
 static void assert_no_sky_at(const struct pp_daylight_plan *plan, double y)
 {
     assert_int_equal(plan->no_sky.count, 1);
@@ -45,8 +46,8 @@ static void assert_no_sky_at(const struct pp_daylight_plan *plan, double y)
     assert_near(plan->sky_share, y / 6.3, 1e-3);
 }
 
-/* From the working plane at 0.85 the head at 2.25 stands higher than a far skyline of
- * 30 degrees up to 1.4 / tan 30 from the window. */
+/* From the working plane at 0.85 m the head at 2.25 m appears above a skyline of 30
+ * degrees at infinite distance up to 1.4 / tan 30 from the window. */
 static void no_sky_line_lies_where_the_head_meets_a_far_skyline(void **state)
 {
     (void)state;
@@ -60,8 +61,8 @@ static void no_sky_line_lies_where_the_head_meets_a_far_skyline(void **state)
     pp_world_destroy(world);
 }
 
-/* At 8 m the skyline's head is 1.6 + 8 tan 30 high; the line to it over the window's
- * head meets the working plane where the slopes are equal. */
+/* The top of the skyline is 1.6 + 8 tan 30 high at 8 m. The line from it past the head
+ * of the window meets the working plane where both slopes are equal. */
 static void no_sky_line_lies_where_the_head_meets_a_near_skyline(void **state)
 {
     (void)state;
@@ -106,8 +107,8 @@ static void a_room_without_a_window_is_all_dark(void **state)
     pp_world_destroy(world);
 }
 
-/* In the stem of an L the window from x = 3.5 on is seen past the corner (2.5, 3) only
- * from west of the line through both. */
+/* In the stem of an L-shaped room, the part of the window from x = 3.5 on is visible
+ * past the corner (2.5, 3) only from points west of the line through both. */
 static void the_corner_of_an_l_shape_throws_a_straight_shadow(void **state)
 {
     (void)state;
@@ -151,8 +152,8 @@ static void points_of_a_contour_have_its_daylight_factor(void **state)
             struct pp_receiver receiver = {
                 .position = {curve->xy[k][0], curve->xy[k][1], 0.85},
                 .normal = {0, 0, 1}};
-            /* Near the window and at the walls the factor changes too fast to
-             * compare. */
+            /* Near the window and the walls the factor changes too rapidly for a
+             * comparison. */
             if (curve->xy[k][1] < 0.4 || curve->xy[k][0] < 0.01
                 || curve->xy[k][0] > 4.09 || curve->xy[k][1] > 6.29)
                 continue;
@@ -162,7 +163,8 @@ static void points_of_a_contour_have_its_daylight_factor(void **state)
                              PP_OK);
             double factor =
                 pp_allowance_factor(pp_method_exact.allowances, world->openings);
-            /* A millimetre or so at up to 0.2 of itself a centimetre. */
+            /* About a millimetre, where the relative change is up to 0.2 per
+             * centimetre. */
             assert_relative(0.004 + (part.sky + part.external) * factor, curve->level,
                             0.01);
             seen++;
@@ -174,8 +176,8 @@ static void points_of_a_contour_have_its_daylight_factor(void **state)
     pp_world_destroy(world);
 }
 
-/* A factor that falls evenly from the window to the back: the share of the plane below a
- * level is that of the way. */
+/* A function that falls linearly from the window to the back: the share of the plane
+ * below a level equals the share of the distance. */
 static enum pp_status falling(void *context, double x, double y, double *value,
                               struct pp_error *err)
 {
@@ -185,9 +187,9 @@ static enum pp_status falling(void *context, double x, double y, double *value,
     return PP_OK;
 }
 
-/* Between ends whose round levels (1.1, 1.2, ... 2.2, 2.5 ...) are at most a fifth of the
- * range apart, no more than a fifth of the plane has no line. The share is known to a
- * hundredth, by triangles. */
+/* If round levels (1.1, 1.2, ... 2.2, 2.5 ...) are at most a fifth of the range apart,
+ * at most a fifth of the plane has no contour. The share is accurate to 0.01, by
+ * triangles. */
 static void no_more_than_a_fifth_of_the_plane_has_no_line(void **state)
 {
     (void)state;
@@ -212,7 +214,8 @@ static void no_more_than_a_fifth_of_the_plane_has_no_line(void **state)
     pp_world_destroy(world);
 }
 
-/* No usual level is between 5.1 and 9.9 per cent: whole per cents are drawn. */
+/* Between 5.1 and 9.9 per cent there is no usual level, so contours are drawn in whole
+ * per cent. */
 static void levels_between_usual_ones_are_multiples_of_a_round_step(void **state)
 {
     (void)state;

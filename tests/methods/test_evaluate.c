@@ -1,4 +1,5 @@
-/* test_evaluate.c - sums over openings, corrections, selections, averages, refusals. */
+/* test_evaluate.c - sums over openings, corrections, selection of methods, averages,
+ * rooms not covered. */
 #include "methods/evaluate.h"
 
 #include <stdio.h>
@@ -9,7 +10,7 @@
 #include "methods/selection.h"
 #include "tests/lib/room_of.h"
 
-/* Some sums and products of doubles. */
+/* Rounding of some sums and products. */
 #define ROUNDING 1e-13
 
 #define ROOM_BEGIN                                                                     \
@@ -21,7 +22,7 @@
     "<line from=\"1.3 0.7\" to=\"1.9 5.2\" points=\"5\"/>\n"                           \
     "</room>\n"
 
-/* A room with one south window with these further attributes. */
+/* A room with one south window that has these additional attributes. */
 static struct pp_world *room_with_window(struct pp_outside_light *light,
                                          const char *attributes)
 {
@@ -84,7 +85,7 @@ static void columns_by_default_in_the_order_of_the_results(void **state)
         assert_int_equal(report.columns[i].component, expected[i].component);
         assert_string_equal(report.columns[i].name, expected[i].name);
     }
-    /* average-df speaks of the room alone */
+    /* average-df only gives a value for the whole room */
     for (int i = 0; i < 8; i++)
         assert_true((report.columns[i].points == NULL) == (i == 7));
     pp_report_clear(&report);
@@ -119,8 +120,8 @@ static void pairs_are_the_sum_of_their_parts_at_points_and_on_average(void **sta
     pp_world_destroy(world);
 }
 
-/* Each method's value at the first point (or of the room) over that with the plain
- * window; all columns of everything there is. */
+/* Ratio of each method's value at the first point (or for the room) to the value with
+ * the plain window, for all columns. */
 static void assert_all_scale(const char *attributes, double direct, double internal,
                              double whole)
 {
@@ -139,8 +140,8 @@ static void assert_all_scale(const char *attributes, double direct, double inter
         double factor = method->gives == PP_GIVES_DIRECT     ? direct
                         : method->gives == PP_GIVES_INTERNAL ? internal
                                                              : whole;
-        /* bre-table's is no straight line: twice the glass has a little more than twice
-         * the light. A straight-edge reads to a fifth of a division of 8 % or less. */
+        /* bre-table is not linear: twice the glass area gives slightly more than twice
+         * the light. A nomogram is read to a fifth of a division of at most 8 %. */
         double tolerance = method == pp_method_find("bre-table")  ? 0.1
                            : method == pp_method_find("nomogram") ? 0.02
                                                                   : ROUNDING;
@@ -165,7 +166,8 @@ static void frame_and_dirt_count_once_in_every_method(void **state)
                      0.4453);
 }
 
-/* One pane with a lower normal transmittance is darker by that ratio at every angle. */
+/* A single pane with a lower normal transmittance is darker by the same ratio at every
+ * angle. */
 static void glass_counts_once_in_every_method(void **state)
 {
     (void)state;
@@ -192,7 +194,7 @@ static void without_glass_the_tables_glass_is_taken_out(void **state)
             column_of(&a, printed[i].component, printed[i].name)->points[1].value
                 / 0.85,
             ROUNDING);
-    /* formulae in the transmittance have the glass's own */
+    /* formulae that contain the transmittance use that of the glass */
     assert_relative(column_of(&b, PP_IRC, "split-flux")->points[1].value,
                     column_of(&a, PP_IRC, "split-flux")->points[1].value
                         / pp_glass_clear_single().diffuse,
@@ -201,8 +203,8 @@ static void without_glass_the_tables_glass_is_taken_out(void **state)
                     column_of(&a, PP_DF, "average-df")->average.value
                         / pp_glass_clear_single().diffuse,
                     ROUNDING);
-    /* exact takes the glass at each angle: at a few metres nearly square to the window
-     * its loss is the normal one */
+    /* `exact` uses the transmittance at each angle: a few metres away, at nearly normal
+     * incidence, the loss is the normal one. */
     assert_relative(column_of(&b, PP_SC, "exact")->points[4].value,
                     column_of(&a, PP_SC, "exact")->points[4].value
                         / pp_glass_clear_single().normal,
@@ -250,7 +252,7 @@ static void a_room_without_openings_is_dark(void **state)
     struct pp_report report = evaluate(world, &light, "all");
     for (int i = 0; i < report.column_count; i++) {
         const struct pp_column *column = report.columns + i;
-        if (!column->average.why) /* a minimum tells no average */
+        if (!column->average.why) /* a minimum has no average */
             assert_near(column->average.value, 0.0, 0.0);
         else
             assert_non_null(strstr(column->average.why, "not an average"));
@@ -304,7 +306,7 @@ static void a_sky_that_is_not_covered_is_said_without_an_opening(void **state)
     pp_world_destroy(world);
 }
 
-/* A point on a wall: no table for it, but the room's averages stand. */
+/* No table covers a point on a wall, but the averages of the room remain. */
 static void a_receiver_that_is_not_covered_leaves_the_others(void **state)
 {
     (void)state;
@@ -326,7 +328,7 @@ static void a_receiver_that_is_not_covered_leaves_the_others(void **state)
     pp_world_destroy(world);
 }
 
-/* Mean of a column over points on a fine grid of the plan's width and depth. */
+/* Mean of a column over a fine grid of points of the plan. */
 static double fine_mean(struct pp_world *world, const struct pp_outside_light *light,
                         enum pp_component component, const char *name, int across,
                         int along, double width_m, double depth_m)
@@ -353,7 +355,8 @@ static double fine_mean(struct pp_world *world, const struct pp_outside_light *l
     return sum / count;
 }
 
-/* The sum over 180 x 300 points is itself right to 0.5e-3, by halving its steps. */
+/* The sum over 180 x 300 points has an error of 0.5e-3, estimated by halving its
+ * steps. */
 static void averages_agree_with_a_fine_sum_over_the_plane(void **state)
 {
     (void)state;
@@ -370,7 +373,7 @@ static void averages_agree_with_a_fine_sum_over_the_plane(void **state)
     pp_world_destroy(world);
 }
 
-/* Averages use fixed rules in place of adaptive quadrature. */
+/* Averages use fixed quadrature rules instead of adaptive ones. */
 static void a_rough_value_is_near_the_exact_one(void **state)
 {
     (void)state;
@@ -387,7 +390,7 @@ static void a_rough_value_is_near_the_exact_one(void **state)
             assert_int_equal(exact->evaluate_roughly(world, &light, world->openings,
                                                      &receiver, NULL, &rough, NULL),
                              PP_OK);
-            /* the worst of random windows from 0.1 m on: quadrature.h */
+            /* largest error for random windows at distances from 0.1 m: quadrature.h */
             assert_relative(rough.sky, precise.sky, 2e-5);
         }
     pp_world_destroy(world);
@@ -404,7 +407,8 @@ static void the_numbers_do_not_depend_on_the_number_of_threads(void **state)
         "<vertex x=\"6.3\" y=\"6\"/><vertex x=\"0\" y=\"6\"/></plan>"
         "<window wall=\"1\" left=\"0.7\" sill=\"1\" width=\"2.6\" height=\"1.4\"/>"
         "<block x=\"-3\" y=\"-14\" width=\"9\" depth=\"4\" height=\"7\"/></room>");
-    assert_true(world->receiver_count > 64); /* fewer are not dealt out */
+    assert_true(world->receiver_count
+                > 64); /* fewer points are not divided between threads */
     struct pp_report reports[2];
     for (int i = 0; i < 2; i++)
         reports[i] = evaluate_by(1 + 3 * i, world, &light, "default");
@@ -461,7 +465,7 @@ static void all_is_every_direct_with_bre_and_exact_with_every_internal(void **st
     pp_selection_clear(&selection);
 }
 
-/* The value of the last step with that symbol. */
+/* Value of the last step with this symbol. */
 static double value_called(const struct pp_steps *steps, const char *symbol)
 {
     const struct pp_calculation_step *step = pp_steps_find(steps, 0, symbol);
@@ -470,7 +474,8 @@ static double value_called(const struct pp_steps *steps, const char *symbol)
     return step->value;
 }
 
-/* Two windows, the second with half its area frame: what the steps say adds up. */
+/* Two windows, of which the second has half its area as frame: the printed steps add
+ * up. */
 static void explained_figures_are_the_sum_of_their_steps(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
-/* test_gradation.c - nothing that a method has in closed form assumes the overcast sky's
- * gradation of 2: a sky of another one is integrated alike by moments, by Waldram's
- * diagram, by a protractor and by pepper-pot dots, and as by a plain sum. */
+/* test_gradation.c - no closed form assumes the overcast sky's gradation of 2: moments,
+ * Waldram's diagram, a protractor and pepper-pot dots integrate a sky with another
+ * gradation to the same value as a simple sum. */
 #include "methods/exact/solid_angle.h"
 #include "methods/pepper_pot/pepper_pot_dots.h"
 #include "methods/protractor/protractor_scale.h"
@@ -11,11 +11,11 @@
 static const double gradations[] = {0.0, 1.0, 2.0, 5.0};
 enum { GRADATIONS = 4 };
 
-/* The window from a0 to a1 and 0 to b1, upright at the distance 1. */
+/* A vertical window from a0 to a1 and 0 to b1 at the distance 1. */
 static const double a0 = -0.7, a1 = 1.6, b1 = 0.9;
 
-/* Sky component of the window, by midpoints over its plane: with
- * L/Eh = 3 (1 + b sin) / ((3 + 2b) pi), and no glass. */
+/* Sky component of the unglazed window, by midpoints over its plane, with L/Eh = 3 (1 +
+ * b sin) / ((3 + 2b) pi). */
 static double by_sum(double b)
 {
     enum { STEPS = 400 };
@@ -75,7 +75,7 @@ static void a_window_by_four_ways(void **state)
     }
 }
 
-/* The scales of an unglazed protractor against its own density. */
+/* The scales of an unglazed protractor compared with sums of its density. */
 static void scales_of_a_protractor_are_the_sums_of_its_density(void **state)
 {
     (void)state;

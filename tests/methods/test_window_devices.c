@@ -30,8 +30,8 @@ static struct pp_report readings_of(const struct pp_world *world,
     return report;
 }
 
-/* Every method's figures for the room with the device are `factor` times those for the
- * other window; figures that either lacks are not compared. */
+/* Checks that every figure for the room with the device is `factor` times the figure
+ * for the other window; figures that one of them lacks are skipped. */
 static int compare_rooms(const char *window, const char *device, double factor)
 {
     struct pp_outside_light light, plain_light;
@@ -42,7 +42,8 @@ static int compare_rooms(const char *window, const char *device, double factor)
     int compared = 0;
     for (int i = 0; i < before.column_count; i++) {
         const struct pp_column *a = before.columns + i, *b = after.columns + i;
-        double tolerance = strstr(a->name, "nomogram") ? 0.04 : 1e-12; /* read off */
+        double tolerance =
+            strstr(a->name, "nomogram") ? 0.04 : 1e-12; /* read on scales */
         if (a->points && !a->points[0].why && !b->points[0].why) {
             assert_relative(b->points[0].value, factor * a->points[0].value, tolerance);
             compared++;
@@ -74,8 +75,8 @@ static void a_curtain_makes_the_window_a_diffusing_pane(void **state)
     assert_true(compare_rooms(window, "<curtain transmittance='0.37'/>", 1.0) >= 8);
 }
 
-/* Black slats as wide as their spacing, normal to the glass: by crossed strings
- * (2 sqrt 2 - 2) / 2 of even light passes, from either half. */
+/* Black slats as wide as their spacing, perpendicular to the glass: by crossed strings
+ * they transmit (2 sqrt 2 - 2) / 2 of uniform light, from either half. */
 static void a_blind_multiplies_reflected_light_by_its_mean_transmittance(void **state)
 {
     (void)state;
@@ -109,8 +110,8 @@ static void a_blind_is_refused_by_methods_for_points(void **state)
     pp_world_destroy(world);
 }
 
-/* Slats of the outer edge lowered keep sky out and let ground light in. Shared by equal
- * windows. */
+/* Slats with the outer edge lowered keep out skylight and admit light from the ground.
+ * Equal windows share the blind. */
 static void blinds_differ_for_sky_and_ground(void **state)
 {
     (void)state;

@@ -45,8 +45,8 @@ static bool next_place(struct pp_lit_point *at, struct pp_vec3 u)
     return true;
 }
 
-/* In cells that all surfaces share, one place stands for sunlit and for shaded ground.
- * The light that they represent must be too little to matter. */
+/* In cells shared by all surfaces, one position represents sunlit and shaded ground.
+ * The light in such cells must be negligible. */
 static void cells_near_a_street_are_not_shared(void **state)
 {
     (void)state;

@@ -1,5 +1,6 @@
-/* test_skyline_wall.c - a skyline with a distance beside the long block in its place: by light
- * paths, photons and elements, through windows of its own wall and of another. */
+/* test_skyline_wall.c - a skyline with a distance compared with a long block in its
+ * place: by path tracing, photons and radiosity, through windows of its own wall and of
+ * another. */
 #include <stdio.h>
 
 #include "tests/lib/photons_of.h"
@@ -11,7 +12,7 @@
     "<window wall='south' left='0.8' sill='0.9' width='2' height='1.5'/>"              \
     "<facade wall='south' left='60' right='60' up='8' reflectance='0.35'/>"
 
-/* An obstruction in the south is seen aslant from the east. */
+/* An obstruction in the south is seen obliquely from the east. */
 #define ASIDE "<window wall='east' left='1.1' sill='0.9' width='2' height='1.5'/>"
 
 static const double distance = 8.3, angle_deg = 50.0, reflectance = 0.4;
@@ -82,8 +83,8 @@ static struct pp_reading (*by_elements(const struct pp_world *world,
     return pp_test_elements(world, light, receivers, POINTS, &options, NULL);
 }
 
-/* By four standard errors of the difference, which is known to 2 % of the daylight factor;
- * radiosity's own errors are bounds. */
+/* Four standard errors of the difference, and 2 % of the daylight factor; the errors of
+ * radiosity are limits. */
 static void assert_same_light(readings_by *by, const char *windows, double middle_m)
 {
     struct pp_outside_light light;
@@ -123,15 +124,15 @@ static void radiosity_has_the_skyline_as_the_block(void **state)
     assert_same_light(by_elements, ASIDE, wall_m);
 }
 
-/* In a narrow street it has less light than under the open sky: as much as the ground there
- * and its own face lit by the whole sky would give is half as much again as there is. */
+/* In a narrow street the skyline receives less light than under the open sky: the light
+ * of a ground and a face lit by the whole sky would be half as much again. */
 static void a_street_is_darker_than_the_open_sky_makes_it(void **state)
 {
     (void)state;
     struct pp_outside_light light;
     struct pp_world *world = room_with_skyline(&light, STREET);
     struct pp_reading(*found)[4] = by_paths(world, &light);
-    /* Seen from the back: the wall fills the window but for its upper edge. */
+    /* Seen from the back, the wall fills the window except for its upper edge. */
     struct pp_world *dark =
         room_with(&light, STREET, "<skyline wall='south' angle='70'/>");
     struct pp_reading(*open)[4] = by_paths(dark, &light);

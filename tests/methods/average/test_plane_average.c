@@ -7,7 +7,7 @@
 #include "tests/lib/room_of.h"
 #include "tests/lib/sized.h"
 
-/* The averaged quantity, and the number of calls. */
+/* A function of position whose average is calculated, and the number of its calls. */
 struct quantity {
     double (*of)(double x, double y);
     atomic_int asked;
@@ -32,7 +32,7 @@ static struct pp_world *rectangle(void)
                          "<plan width=\"3.7\" depth=\"6.1\" height=\"2.8\"/></room>");
 }
 
-/* An L: 5 x 4 m less 3 x 2 m at its far right. */
+/* An L-shaped room: 5 x 4 m without a corner of 3 x 2 m. */
 static struct pp_world *l_shape(void)
 {
     return pp_test_world("<room version=\"1\"><plan height=\"2.8\">"
@@ -48,7 +48,7 @@ static bool average(double mean[PP_PLANE_VALUES], struct pp_world *world,
     struct pp_thread_pool *pool;
     bool stopped;
     assert_int_equal(pp_thread_pool_create(&pool, quantity->threads, NULL), PP_OK);
-    /* As if from a window of 1 m at the near wall. */
+    /* A window 1 m wide in the nearest wall. */
     const struct pp_plane_centre centre = {.apex = {1.1, -0.5},
                                            .at = {1.1, 0.0},
                                            .facing = {0.0, 1.0},
@@ -103,7 +103,7 @@ static void a_constant_and_a_polynomial_come_out(void **state)
     }
 }
 
-/* Against a midpoint sum; the stated error is of the estimate, which is cautious. */
+/* Compares with a midpoint sum. The stated error is a cautious estimate. */
 static void a_peak_at_a_wall_comes_out_to_the_error_asked_for(void **state)
 {
     (void)state;
@@ -119,9 +119,10 @@ static void a_peak_at_a_wall_comes_out_to_the_error_asked_for(void **state)
     pp_world_destroy(world);
 }
 
-/* Under a sill just above the plane light rises from nothing to its highest in a few
- * centimetres: the rule once missed that in this room, and was 0.6 % low. Expected is
- * the mean of 56,700 points of a grid; a quarter as many give 4.5e-4 more. */
+/* Under a sill just above the plane the light rises from zero to its maximum within a
+ * few centimetres. An earlier rule missed this and was 0.6 % too low in this room. The
+ * expected value is the mean over a grid of 56,700 points; a grid with a quarter of the
+ * points gives 4.5e-4 more. */
 static void light_under_a_sill_is_not_stepped_over(void **state)
 {
     (void)state;
@@ -138,8 +139,8 @@ static void light_under_a_sill_is_not_stepped_over(void **state)
     pp_world_destroy(world);
 }
 
-/* A jump along a slanting line: the number of points ends the work; the area under the
- * line is known. */
+/* A jump along a slanting line: the limit on the number of points ends the calculation.
+ * The area below the line is known. */
 static void an_edge_costs_no_more_than_the_points_allowed(void **state)
 {
     (void)state;
@@ -173,8 +174,8 @@ static void the_function_can_end_it(void **state)
 
 /* ---- by the method's own values ---- */
 
-/* An `across` times `along` rectangle turned about its first corner by an angle, with
- * what stands between: walls are numbered from the near one. */
+/* Room with a rectangular plan of `across` x `along`, rotated about its first corner.
+ * `body`: its other elements; walls are numbered, starting with the nearest. */
 static struct pp_world *turned_room(struct pp_outside_light *light, double across,
                                     double along, double turned_deg, const char *body)
 {
@@ -189,8 +190,9 @@ static struct pp_world *turned_room(struct pp_outside_light *light, double acros
     return pp_test_lit_world(light, xml);
 }
 
-/* The report's averages of both components, and the means of `fine` by `fine` points in the
- * middle of equal cells: sums that share nothing with the cubature. */
+/* The report's averages of both components, and the means over `fine` x `fine` points
+ * at the centres of equal cells. These sums have nothing in common with the
+ * cubature. */
 struct two_means {
     double average[2], summed[2];
 };
@@ -232,7 +234,7 @@ static struct two_means means_of(struct pp_world *world,
 
 static const char *const methods_by_points[] = {"brs-table", "protractor"};
 
-/* Rooms in which rectangles of the plane stepped over the light, and plain ones. */
+/* Rooms in which an earlier rule with rectangles missed light, and ordinary rooms. */
 static const char many_windows[] = /* 4 x 3 of 0.18 m, in a wall 0.1 m thick */
     "<window wall='1' left='0.3' sill='1' width='0.18' height='0.18' reveal='0.1'/>"
     "<window wall='1' left='1.1' sill='1' width='0.18' height='0.18' reveal='0.1'/>"
@@ -256,8 +258,8 @@ static const char wide[] =
     "<window wall='2' left='2.1' sill='1.4' width='1.3' height='1.1' reveal='0.25'/>"
     "<skyline wall='1' angle='23'/>";
 
-/* The slit is less than three cells of the midpoint sum wide, which is good to 0.5 % there;
- * rectangles of the plane were 13 to 16 % low. */
+/* The slit is less than three cells of the midpoint sum wide; the sum is accurate to
+ * 0.5 % there. An earlier rule with rectangles was 13 to 16 % too low. */
 static void averages_are_the_sums_of_the_methods_own_values(void **state)
 {
     (void)state;

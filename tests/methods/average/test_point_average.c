@@ -1,5 +1,5 @@
-/* test_point_average.c - the mean over the plane by points is the mean by beams: two
- * integrals, over places and over directions, of the same light. */
+/* test_point_average.c - the mean over the working plane by points equals the mean by
+ * beams: two integrals of the same light, over positions and over directions. */
 #include "methods/average/plane_light.h"
 
 #include "tests/lib/room_of.h"
@@ -72,8 +72,8 @@ static void under_a_clear_sky(void **state)
                          "height='1.4'/>");
 }
 
-/* Glass at 22 degrees lights the plane on both sides of it in the plan. An average over the
- * places before it alone was a third too low. */
+/* Glass with a slope of 22 degrees lights the plane on both sides of the glass. An
+ * average over the points in front of the glass only was a third too low. */
 static void of_a_sloping_rooflight(void **state)
 {
     (void)state;

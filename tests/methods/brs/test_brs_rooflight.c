@@ -9,9 +9,10 @@
 #include "tests/lib/dice.h"
 #include "tests/lib/room_of.h"
 
-/* The sky component of a rectangle of the plane of the glass by a sum over its points, the
- * midpoints of a grid. The point is 1 off the plane; s is measured from where the plane
- * meets the point's level, or from straight above it. */
+/* Sky component of a rectangle in the plane of the glass, by a sum over the centres of
+ * a grid. The point is at distance 1 from the plane. s is measured from the line where
+ * the plane meets the level of the point, or, for horizontal glass, from the point's
+ * vertical. */
 static double by_points(int slope_deg, double s_end, double w_end, int steps)
 {
     struct pp_sky sky = pp_sky_overcast();
@@ -31,7 +32,7 @@ static double by_points(int slope_deg, double s_end, double w_end, int steps)
     return sum * s_end * w_end / steps / steps;
 }
 
-/* Half a digit of the print, and the grid's own error. */
+/* Tolerance: half a unit of the last printed digit, and the error of the grid. */
 static void cells_are_the_sum_over_the_glass(void **state)
 {
     (void)state;
@@ -44,8 +45,9 @@ static void cells_are_the_sum_over_the_glass(void **state)
                         0.005 + 0.001);
 }
 
-/* All that glass of a slope lets through: half of it at the corner at infinity, a quarter
- * of that of level glass, whose table begins in the middle. */
+/* At the corner at infinity the table gives half of the light that glass of this slope
+ * receives. For horizontal glass, whose table begins in the middle, it gives a
+ * quarter. */
 static void corner_is_all_the_light_through_the_glass(void **state)
 {
     (void)state;
@@ -71,17 +73,18 @@ static void corner_is_all_the_light_through_the_glass(void **state)
     }
 }
 
-/* Level glass has no upper edge: length and width change places. */
+/* Horizontal glass has no upper edge, so length and width may be exchanged. */
 static void level_table_is_symmetric(void **state)
 {
     (void)state;
     for (double l = 0.05; l < 12.0; l *= 1.7)
         for (double w = 0.07; w < 5.0; w *= 1.9)
             assert_near(pp_brs_rooflight_read(0, l, w), pp_brs_rooflight_read(0, w, l),
-                        4e-4); /* rows and columns are not the same */
+                        4e-4); /* rows and columns have different spacings */
 }
 
-/* A rooflight over the point is four corners; one aside is two less two. */
+/* A rooflight above the point is the sum of four corners; beside the point, two corners
+ * are subtracted from two others. */
 static double at(const struct pp_world *world, const struct pp_outside_light *light,
                  const struct pp_method *method, double x, double y)
 {
@@ -130,8 +133,9 @@ static void corners_add_up_above_and_aside_of_the_point(void **state)
     pp_world_destroy(world);
 }
 
-/* A mono-pitch roof at 30 or 60 degrees with a window in it, at random points: readings
- * within 3 % of `exact`, and 0.15 % of the open sky, where the light is small. */
+/* Windows in a mono-pitch roof of 30 or 60 degrees, at random points: readings are
+ * within 3 % of `exact`, or within 0.15 % of the open sky where there is little
+ * light. */
 static void roof_windows_are_near_to_exact(void **state)
 {
     (void)state;
@@ -177,7 +181,8 @@ static void roof_windows_are_near_to_exact(void **state)
     }
 }
 
-/* Rooms with windows and rooflights have a value: windows are read off the printed table. */
+/* Rooms with windows and rooflights have a value: windows are read from the printed
+ * table. */
 static void windows_are_read_off_the_vertical_table(void **state)
 {
     (void)state;
@@ -191,8 +196,8 @@ static void windows_are_read_off_the_vertical_table(void **state)
     pp_world_destroy(world);
 }
 
-/* A room with windows alone uses the table of windows: the average is that table's,
- * worked out once. */
+/* A room that has only windows uses the table of windows. Its average is the average of
+ * that table, calculated once. */
 static void a_room_of_windows_has_the_average_of_their_table(void **state)
 {
     (void)state;

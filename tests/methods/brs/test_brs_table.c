@@ -38,7 +38,8 @@ static void every_printed_cell_is_read_as_printed(void **state)
         for (int k = 1; k < COLUMNS; k++)
             assert_near(100.0 * pp_brs_table_read(printed[i][0], printed[0][k]),
                         printed[i][k], 1e-13);
-    /* corners and odd ones by hand, lest the table and its reader slip together */
+    /* Corners and single cells, entered by hand, in case table and reader have the same
+     * error. */
     assert_near(pp_brs_table_read(INFINITY, INFINITY), 0.15, 1e-15);
     assert_near(pp_brs_table_read(0.1, 0.1), 0.0001, 1e-15);
     assert_near(pp_brs_table_read(2.0, 1.0), 0.075, 1e-15);
@@ -46,8 +47,8 @@ static void every_printed_cell_is_read_as_printed(void **state)
     assert_near(pp_brs_table_read(5.0, 0.4), 0.048, 1e-15);
 }
 
-/* The same through a room: windows with a jamb on the normal, to the right and to the
- * left, the table's finite rows and columns. */
+/* The same test for a room: windows with one jamb on the normal, to the right and to
+ * the left, for all finite rows and columns of the table. */
 static void every_finite_cell_is_what_a_window_of_that_size_gives(void **state)
 {
     (void)state;
@@ -76,7 +77,7 @@ static void between_cells_it_is_read_in_proportion(void **state)
     /* 1/w halfway between 1/6 and nothing, 1/h between 1/5 and nothing */
     assert_near(pp_brs_table_read(2.0, 12.0), (10.2 + 10.3) / 200.0, 1e-15);
     assert_near(pp_brs_table_read(10.0, 1.0), (9.4 + 9.6) / 200.0, 1e-15);
-    /* to nothing at no size */
+    /* linear to zero at size zero */
     assert_near(pp_brs_table_read(0.05, 1.0), 0.0005 / 2, 1e-17);
     assert_near(pp_brs_table_read(1.0, 0.05), 0.0057 / 2, 1e-17);
     assert_near(pp_brs_table_read(0.0, 1.0), 0.0, 0.0);
@@ -111,7 +112,7 @@ static void worked_use_step_by_step(void **state)
     assert_near(worked_use(0.5).external, 0.00254, 1e-15);
 }
 
-/* An obstruction under the sill hides nothing; one over the head everything. */
+/* An obstruction below the sill hides nothing; one above the head hides everything. */
 static void only_the_higher_of_sill_and_skyline_cuts(void **state)
 {
     (void)state;
@@ -188,15 +189,16 @@ static void halves_of_a_window_make_up_the_whole(void **state)
             struct pp_part whole = brs_at(&box, 0, pp_vec(x, y, 0.85));
             struct pp_part left = brs_at(&box, 1, pp_vec(x, y, 0.85));
             struct pp_part right = brs_at(&box, 2, pp_vec(x, y, 0.85));
-            /* the table's own roughness can make a part less than nothing, which then
-             * counts as nothing: a few units of its last digit */
+            /* Because the table is rounded, a difference can be slightly negative; it
+             * then counts as zero. The error is a few units of the last digit. */
             assert_near(left.sky + right.sky, whole.sky, 3e-4);
             assert_near(left.external + right.external, whole.external, 6e-5);
         }
 }
 
-/* A fence 3 m high, 5 m out, square before the window, that ends beyond both jambs is
- * an upright rectangle and hides what a skyline of its height hides. */
+/* A fence 3 m high, 5 m in front of the window and parallel to it, that extends beyond
+ * both jambs is a vertical rectangle. It hides the same part as a skyline of its
+ * height. */
 static void a_wide_block_hides_as_a_skyline_of_its_height(void **state)
 {
     (void)state;
@@ -222,13 +224,14 @@ static void a_wide_block_hides_as_a_skyline_of_its_height(void **state)
         box.world.skyline_count = 0;
         assert_true(by_fence.external > 0.0);
         assert_near(by_fence.sky, by_skyline.sky, 1e-14);
-        /* the room sees the fence's back or front: its normal is -y or +y */
+        /* The room sees the back or the front of the fence: its normal is -y or +y. */
         double rho = surfaces[BOX_FACES].outline.normal.y > 0.0 ? 0.7 : 0.2;
         assert_near(by_fence.external, rho / 0.2 * by_skyline.external, 1e-14);
     }
 }
 
-/* Worlds from here on come from room files: what hides is resolved there. */
+/* From here on, worlds are read from room files, since obstructions are resolved when a
+ * file is read. */
 
 static struct pp_part brs_in(const struct pp_world *world,
                              const struct pp_outside_light *light,
@@ -242,7 +245,8 @@ static struct pp_part brs_in(const struct pp_world *world,
     return part;
 }
 
-/* T over a rectangle of the south wall, x and z in the room, from the point. */
+/* Table value of a rectangle of the south wall, seen from the point p; x and z in room
+ * coordinates. */
 static double table_over(struct pp_vec3 p, double x0, double x1, double z0, double z1)
 {
     double sum = 0.0;
@@ -262,7 +266,8 @@ static double table_over(struct pp_vec3 p, double x0, double x1, double z0, doub
     "<block x=\"" x "\" y=\"" y "\" width=\"" width "\" depth=\"2\" base=\"-1\" "      \
     "height=\"" height "\" reflectance=\"" reflectance "\"/>\n"
 
-/* A screen at half the distance hides what is on its side of the line of sight. */
+/* A screen halfway between point and window hides the part of the window on its side of
+ * the line of sight. */
 static void a_screen_in_the_room_leaves_the_visible_half(void **state)
 {
     (void)state;
@@ -278,7 +283,8 @@ static void a_screen_in_the_room_leaves_the_visible_half(void **state)
     pp_world_destroy(world);
 }
 
-/* The corner of an L hides a part that is no rectangle only by its upright edge. */
+/* The corner of an L-shaped room limits the visible part of the window by a vertical
+ * edge only, so the visible part is a rectangle. */
 static void the_arm_of_an_l_sees_past_the_corner(void **state)
 {
     (void)state;
@@ -291,7 +297,7 @@ static void the_arm_of_an_l_sees_past_the_corner(void **state)
         "<window wall=\"1\" left=\"0.5\" sill=\"1\" width=\"3\" "
         "height=\"1.5\"/></room>");
     struct pp_vec3 p = pp_vec(4.6, 4.0, 0.85);
-    /* past the corner (4, 3) to x = 2.2 at the window's wall */
+    /* The line past the corner (4, 3) meets the window wall at x = 2.2. */
     assert_near(brs_in(world, &light, p).sky, table_over(p, 0.5, 2.2, 1.0, 2.5), 1e-12);
     assert_near(brs_in(world, &light, pp_vec(8.5, 3.5, 0.85)).sky, 0.0, 1e-12);
     pp_world_destroy(world);
@@ -305,7 +311,7 @@ static void a_round_window_is_the_square_of_its_area(void **state)
                      "<opening>";
     double radius = 0.7;
     for (int i = 0; i < SIDES; i++) {
-        /* counter-clockwise seen from inside: x falls on the right */
+        /* counter-clockwise seen from inside: x decreases to the right */
         double angle = 2 * PP_PI * i / SIDES;
         size_t used = strlen(xml);
         snprintf(xml + used, sizeof xml - used,
@@ -323,8 +329,8 @@ static void a_round_window_is_the_square_of_its_area(void **state)
     pp_world_destroy(world);
 }
 
-/* Square before the window a block shows its front only: 5 m from the wall, from 2.5 m
- * before it, so that it is drawn on the wall at a third. */
+/* A block parallel to the window shows only its front. It is 5 m from the point and 2.5
+ * m from the wall, so its projection on the wall is a third of its size. */
 static void a_block_hides_the_rectangle_of_its_front(void **state)
 {
     (void)state;
@@ -350,7 +356,7 @@ static void blocks_side_by_side_are_one_and_the_nearer_one_counts(void **state)
     struct pp_world *two =
         pp_test_lit_world(&two_light, HALL BLOCK("2", "2.5", "-7", "4.5", "0.2") BLOCK(
                                           "4", "2", "-7", "4.5", "0.2") "</room>");
-    /* another behind it that reaches less high above the horizon */
+    /* A second block behind it that reaches a lower altitude changes nothing. */
     struct pp_outside_light behind_light;
     struct pp_world *behind =
         pp_test_lit_world(&behind_light, HALL BLOCK("2", "4", "-17", "5", "0.9") BLOCK(
@@ -367,17 +373,17 @@ static void blocks_side_by_side_are_one_and_the_nearer_one_counts(void **state)
     pp_world_destroy(behind);
 }
 
-/* Random number in [0, 1), the same everywhere. */
+/* Pseudo-random number in [0, 1), the same on all machines. */
 static double random_number(uint64_t *state)
 {
     *state = *state * 6364136223846793005u + 1442695040888963407u;
     return (double)(*state >> 11) * 0x1p-53;
 }
 
-/* The table against exact integration with the same glass: random windows and skylines,
- * points 1 to 7 m from the window, readings of 1 % and more. Over 20,000 such windows
- * the bias is -1.4 %, the rms deviation 3.4 %, the worst 19 %: a window far to one
- * side, the small difference of two cells. */
+/* The table compared with exact integration with the same glass: random windows and
+ * skylines, points 1 to 7 m from the window, readings of at least 1 %. For 20,000
+ * windows the bias is -1.4 %, the rms deviation 3.4 % and the largest deviation 19 %,
+ * for a window far to one side, which is the small difference of two cells. */
 static void from_a_metre_on_the_table_is_a_little_low(void **state)
 {
     (void)state;
@@ -411,7 +417,7 @@ static void from_a_metre_on_the_table_is_a_little_low(void **state)
         worst = fmax(worst, fabs(off));
     }
     assert_in_range(count, 300, 2000);
-    /* three standard errors of the mean; rms by twice as many cells as here */
+    /* Tolerances: three standard errors of the mean; rms as for half as many cells. */
     assert_near(sum / count, -0.014, 0.006);
     assert_near(sqrt(sum_squares / count), 0.034, 0.006);
     assert_near(worst, 0.0, 0.25);
@@ -470,8 +476,8 @@ static struct pp_part table_in(const char *outside)
     return part;
 }
 
-/* The facade's face 0.3 m before the glass hides as a reveal of 0.5 m; in the plane of
- * the glass it hides nothing. */
+/* A façade whose face is 0.3 m in front of the glass hides the same sky as a reveal of
+ * 0.5 m. In the plane of the glass it hides nothing. */
 static void a_facade_hides_all_round_its_hole(void **state)
 {
     (void)state;
@@ -488,8 +494,8 @@ static void a_facade_hides_all_round_its_hole(void **state)
     assert_near(recessed.external, 0.3 * (plain.sky - deeper.sky), 1e-15);
 }
 
-/* In an L the facade of one wing's end goes on before the other wing's window, and hides
- * what a surface in its place does. */
+/* In an L-shaped room the façade of one wing extends in front of the window of the
+ * other wing. It hides the same part as a surface in its place. */
 static void another_wall_s_facade_hides_as_a_screen(void **state)
 {
     (void)state;
@@ -519,7 +525,7 @@ static void another_wall_s_facade_hides_as_a_screen(void **state)
                          PP_OK);
         pp_world_destroy(world);
     }
-    /* The surface is set off the wall by 0.1 mm. */
+    /* The surface is placed 0.1 mm in front of the wall. */
     assert_near(parts[0].sky, parts[1].sky, 1e-5);
     assert_near(parts[0].external, parts[1].external, 1e-5);
     assert_true(parts[0].sky < parts[2].sky - 0.01);

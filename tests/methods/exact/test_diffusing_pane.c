@@ -1,13 +1,13 @@
-/* test_diffusing_pane.c - the direct component of a diffusing pane that obstructions light unevenly, against sums
- * over small squares of the pane. */
+/* test_diffusing_pane.c - the direct component of a diffusing pane that is lit unevenly
+ * because of obstructions, compared with sums over small squares of the pane. */
 #include "methods/exact/diffusing_pane.h"
 
 #include "methods/exact/exterior.h"
 #include "methods/method.h"
 #include "tests/lib/room_of.h"
 
-/* A wall 1.3 m away hides the sky from the lower part of the pane, and a fin that from one
- * side. */
+/* A wall 1.3 m away hides the sky from the lower part of the pane, and a fin hides that
+ * wall from one side. */
 #define ROOM                                                                           \
     "<room version='1'><plan width='3.1' depth='4.7' height='2.7'/>"                   \
     "<window wall='south' left='0.35' sill='0.4' width='1.7' height='1.9' reveal='0' " \
@@ -29,8 +29,8 @@ static struct pp_part part_at(const struct pp_world *world,
     return part;
 }
 
-/* tau / pi times the integral of E (n.v) (m.v) / v^4 over squares of the pane, by the
- * light at their centres. */
+/* tau / pi times the integral of E (n.v) (m.v) / v^4 over squares of the pane, with the
+ * illuminance at their centres. */
 static struct pp_part sum_of_squares(const struct pp_world *world,
                                      const struct pp_outside_light *light,
                                      struct pp_receiver receiver)
@@ -59,8 +59,9 @@ static struct pp_part sum_of_squares(const struct pp_world *world,
     return part;
 }
 
-/* At receivers that face up, to the pane, and aslant, whose horizon crosses the pane. The
- * sums are good to 2e-3 near the fin, which makes the light jump at the pane's side. */
+/* Receivers that face up, face the pane, and are tilted so that their horizon crosses
+ * the pane. The sums are accurate to 2e-3 near the fin, where the illuminance jumps at
+ * the side of the pane. */
 static void every_square_of_an_uneven_pane_counts_by_its_own_light(void **state)
 {
     (void)state;

@@ -53,8 +53,8 @@ static void the_design_window_keeps_its_digits_in_a_room(void **state)
     pp_world_destroy(world);
 }
 
-/* The same window over a floor raised to the design's point: in the plane of a surface
- * nothing of it stands in the way. */
+/* The same window above a floor raised to the height of the point: a surface hides
+ * nothing from a point in its own plane. */
 static void a_point_on_the_floor_sees_what_one_above_it_does(void **state)
 {
     (void)state;
@@ -88,7 +88,8 @@ static void the_open_sky_is_one_and_a_closed_room_dark(void **state)
     pp_world_destroy(world);
 }
 
-/* A receiver close before a wide window sees half the sky and half the ground. */
+/* A receiver just in front of a wide window sees half of the sky and half of the
+ * ground. */
 static void a_receiver_at_the_glass_sees_the_vertical_sky_component(void **state)
 {
     (void)state;
@@ -112,7 +113,8 @@ static void behind_and_in_its_plane_a_window_gives_nothing(void **state)
     assert_near(facing_up(world, &light, 1.1, -2.0, 0.8).sky, 0.0, 0.0);
     assert_near(at(world, &light, pp_vec(1.1, 2.0, 0.8), pp_vec(0.0, 1.0, 0.0)).sky,
                 0.0, 0.0);
-    /* A receiver whose horizon is the head: nothing left; the sill: nothing lost. */
+    /* Nothing is left for a receiver whose horizon is at the head; nothing is lost if
+     * it is at the sill. */
     double head = 2.3 - 0.8, sill = 0.9 - 0.8;
     struct pp_vec3 p = {1.1, 2.0, 0.8};
     struct pp_part none = at(world, &light, p, pp_vec(0.0, head, 2.0));
@@ -122,8 +124,8 @@ static void behind_and_in_its_plane_a_window_gives_nothing(void **state)
     pp_world_destroy(world);
 }
 
-/* A far skyline of 20 degrees before an endless band of window: the vertical sky
- * component above it and rho times the rest. */
+/* A skyline of 20 degrees at infinite distance in front of an infinitely long window:
+ * the vertical sky component above the skyline, and rho times the rest. */
 static void a_far_skyline_leaves_its_vertical_sky_component(void **state)
 {
     (void)state;
@@ -153,7 +155,7 @@ static void a_far_skyline_leaves_its_vertical_sky_component(void **state)
     " glazing='none' reveal='" reveal "'/>"
 #define FACADE "<facade wall='south' left='7' right='9' up='5' down='1' "
 
-/* The sky that a point sees, and its mean over the plane. */
+/* Checks the sky component at a point, and its mean over the plane. */
 static void assert_same_sky(const char *xml, const char *as, double tolerance)
 {
     struct pp_outside_light light;
@@ -170,8 +172,8 @@ static void assert_same_sky(const char *xml, const char *as, double tolerance)
     pp_world_destroy(like);
 }
 
-/* A wall that goes on in the plane of the glass takes nothing away; one whose face is
- * farther out hides the sky as that much deeper reveal would. */
+/* A façade in the plane of the glass hides nothing. A façade whose face is farther out
+ * hides the same sky as a reveal that is deeper by this distance. */
 static void a_facade_hides_the_sky_as_a_reveal_to_its_face(void **state)
 {
     (void)state;
@@ -184,7 +186,8 @@ static void a_facade_hides_the_sky_as_a_reveal_to_its_face(void **state)
                     ROOM(SIDE_WINDOW("0.45")), 1e-12);
 }
 
-/* Sky hidden by the facade is lit facade: its reflectance times that sky. */
+/* The façade reflects light from the sky that it hides: its reflectance times that
+ * sky. */
 static void what_a_facade_hides_counts_as_facade(void **state)
 {
     (void)state;

@@ -12,7 +12,7 @@
 
 #define SCENES PP_SIZED(10000, 400, 100)
 
-/* ---- a scene: one opening in a face, anything round it ---- */
+/* ---- a scene: one opening in a face, and random surfaces around the opening ---- */
 
 enum { SURFACES = 24, CORNERS = 8 };
 
@@ -27,7 +27,8 @@ struct scene {
     struct pp_receiver receiver;
 };
 
-/* One number after the other: the order of arguments is the compiler's. */
+/* Draws the numbers one by one, since compilers evaluate arguments in different
+ * orders. */
 static struct pp_vec3 any_point(struct dice *dice)
 {
     struct pp_vec3 v;
@@ -64,8 +65,8 @@ static struct pp_vec3 in_plane(struct pp_vec3 origin, struct pp_vec3 a, double x
     return pp_vec_along(pp_vec_along(origin, x, a), y, b);
 }
 
-/* An opening of any slope, a rectangle or an outline with a notch, with or without a
- * reveal; a receiver before it. */
+/* Draws an opening of any slope, a rectangle or an outline with a notch, with or
+ * without a reveal, and a receiver in front of it. */
 static void deal_opening(struct scene *scene, struct dice *dice)
 {
     struct pp_opening *opening = &scene->opening;
@@ -73,7 +74,7 @@ static void deal_opening(struct scene *scene, struct dice *dice)
     double slope = one_in(dice, 3) ? between(dice, 0.0, PP_PI) : PP_PI / 2.0;
     if (one_in(dice, 8))
         slope = 0.0;
-    /* Looking out, square to the glass; slope 0 looks up. */
+    /* Perpendicular to the glass, outwards; slope 0 faces up. */
     struct pp_vec3 level = {cos(bearing), sin(bearing), 0.0};
     struct pp_vec3 out =
         pp_vec_add(pp_vec_scale(level, sin(slope)), pp_vec(0.0, 0.0, cos(slope)));
@@ -124,8 +125,8 @@ static struct pp_surface *deal_surface(struct scene *scene)
     return surface;
 }
 
-/* A plate somewhere along the way out, on either side of the opening's plane or across
- * it; some with a notch, some of another colour, some that shine. */
+/* Draws a plate outside, on one side of the opening's plane or across the plane. Some
+ * plates have a notch, another reflectance, or an exitance. */
 static void deal_plate(struct scene *scene, struct dice *dice)
 {
     struct pp_surface *surface = deal_surface(scene);
@@ -161,7 +162,7 @@ static void deal_plate(struct scene *scene, struct dice *dice)
         surface->exitance = between(dice, 0.0, 0.5);
 }
 
-/* A box in front of the opening, sides outwards. */
+/* Draws a box in front of the opening; its sides face outwards. */
 static void deal_block(struct scene *scene, struct dice *dice)
 {
     const struct pp_opening *opening = &scene->opening;
@@ -257,14 +258,16 @@ static void deal(struct scene *scene, uint64_t seed)
 
 /* ---- the comparison ---- */
 
-/* DESIGN's contract: 1e-9 of the value or 1e-15 of the open sky, with glass 1e-6. */
+/* Accuracy promised for `exact`: 1e-9 of the value or 1e-15 of the open sky; with glass
+ * 1e-6. */
 static double disagreement(double value, double other, double relative)
 {
     double difference = fabs(value - other);
     return difference <= 1e-15 ? 0.0 : difference / (relative * fabs(other));
 }
 
-/* Result of the method when it was prepared, for single points or for those of a plane. */
+/* Result of the method after its preparation for single points, or for points of a
+ * plane. */
 static struct pp_part prepared(const struct scene *scene, bool for_plane)
 {
     const struct pp_method *exact = &pp_method_exact;
@@ -281,10 +284,10 @@ static struct pp_part prepared(const struct scene *scene, bool for_plane)
     return part;
 }
 
-/* Sums over the edges of all that is seen give the same as closed forms and quadratures, to
- * 1e-9 of the open sky and 1e-8 of the value, which quadratures through glass may be off
- * by; for the points of a plane that faces up to 1e-6. On tilted receivers skies with
- * azimuth have no table there, and rough quadratures differ. */
+/* Sums over the edges of all visible parts agree with closed forms and quadratures to
+ * 1e-9 of the open sky and 1e-8 of the value, the possible error of quadrature through
+ * glass. For points of a plane that faces up they agree to 1e-6. Tilted receivers have
+ * no table for skies with azimuth dependence, and approximate quadratures differ. */
 static void compare_prepared(const struct scene *scene, int seed,
                              const struct pp_part *part)
 {
@@ -303,7 +306,7 @@ static void compare_prepared(const struct scene *scene, int seed,
     }
 }
 
-/* Looks at one scene; returns whether there is any light in it. */
+/* Compares the results for one scene; returns whether the scene contains any light. */
 static bool compare(int seed, double *worst)
 {
     struct scene scene;
@@ -318,8 +321,8 @@ static bool compare(int seed, double *worst)
         fail_msg("scene %d: %s", seed, err.message);
     if (glazed || scene.light.sky.kind == PP_SKY_ISO)
         compare_prepared(&scene, seed, &part);
-    /* Where the two differ the sum over meridians may have stepped over something
-     * narrow: it is refined before anybody is blamed. */
+    /* If the results differ, the sum over meridians may have missed a narrow feature,
+     * so the test repeats the sum with more meridians before it fails. */
     double sky = INFINITY, external = INFINITY;
     struct pp_meridian_sums sums = {0.0, 0.0};
     for (int parts = 3; parts < 200 && fmax(sky, external) > 1.0; parts *= 8) {

@@ -1,4 +1,4 @@
-/* test_hidden_outline.c - where on the sky things are that hide it, by plane geometry. */
+/* test_hidden_outline.c - outlines of obstructions on the sky, by plane geometry. */
 #include "methods/exact/hidden_outline.h"
 
 #include <stdlib.h>
@@ -16,9 +16,9 @@ static void fill(struct pp_sky_mask *mask, const struct pp_world *world)
     pp_hidden_cones_clear(&cones);
 }
 
-/* An endless edge square to the window is the lower, the farther off it is looked at:
- * tan a = tan 20 cos(bearing from the window's). North is 30 degrees off the plan's +y: the
- * south wall looks towards 210. */
+/* An infinitely long horizontal edge parallel to the window appears lower at larger
+ * angles to the normal: tan a = tan 20 cos(bearing relative to the window's normal).
+ * North is 30 degrees from the plan's +y, so the south wall faces 210 degrees. */
 static void an_endless_edge_sinks_with_the_cosine_of_the_bearing(void **state)
 {
     (void)state;
@@ -46,8 +46,8 @@ static void an_endless_edge_sinks_with_the_cosine_of_the_bearing(void **state)
     pp_world_destroy(world);
 }
 
-/* A tower of 4 m at 10 m before the window's middle: it ends at +-atan(2/10), and its top's
- * front edge is 12 m above the window. */
+/* A tower 4 m wide, 10 m in front of the middle of the window, extends to +-atan(2/10).
+ * The front edge of its top is 12 m above the window. */
 static void a_tower_stands_between_the_bearings_of_its_corners(void **state)
 {
     (void)state;
@@ -75,8 +75,8 @@ static void a_tower_stands_between_the_bearings_of_its_corners(void **state)
     pp_world_destroy(world);
 }
 
-/* The altitudes hidden at a whole step of bearing, from low to high and together; where one
- * piece ends and others begin there, what they have in common counts once. */
+/* Hidden altitudes at a bearing in whole steps, sorted and merged. Where one piece ends
+ * and others begin, their common part counts once. */
 static int spans_at(const struct pp_sky_mask *mask, double bearing, double spans[8][2])
 {
     int count = 0;
@@ -100,8 +100,9 @@ static int spans_at(const struct pp_sky_mask *mask, double bearing, double spans
     "<room version='1'><plan width='4' depth='5' height='3'/>"                         \
     "<window wall='south' left='1.5' sill='1' width='1' height='1'/>"
 
-/* A screen 12 m wide from 3 to 9 m above the floor, 10 m before the window, whole or in 96
- * triangles: its lower and upper edge by plane geometry, and as few pieces. */
+/* A screen 12 m wide, 3 to 9 m above the floor and 10 m in front of the window, as a
+ * rectangle or as 96 triangles: its lower and upper edges by plane geometry, and the
+ * same number of pieces. */
 static void a_screen_of_triangles_is_one_screen(void **state)
 {
     (void)state;
@@ -142,8 +143,8 @@ static void a_screen_of_triangles_is_one_screen(void **state)
     free(text);
 }
 
-/* A bridge over a house: between them there is sky; where the house is as high as the
- * bridge's underside there is none. */
+/* A bridge above a house: sky is visible between them, unless the house reaches the
+ * underside of the bridge. */
 static void sky_between_two_things_is_seen(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* test_solid_angle.c - the closed forms for plane polygons: limits and known values. */
+/* test_solid_angle.c - closed forms for plane polygons: limits and known values. */
 #include "tests/lib/near.h"
 
 #include "methods/exact/solid_angle.h"
@@ -15,7 +15,7 @@ static struct pp_moments moments_of(const struct pp_vec3 corners[4],
     return sum;
 }
 
-/* An upright rectangle at `distance` in the direction of +y. */
+/* A vertical rectangle at `distance` in the direction +y. */
 static struct pp_moments upright(double left, double right, double sill, double head,
                                  double distance, struct pp_vec3 normal)
 {
@@ -47,8 +47,8 @@ static double uniform(struct pp_moments moments)
     return pp_solid_angle_sky_component(&moments, &sky);
 }
 
-/* A ceiling of sky 1e9 times as wide as it is high misses a strip of the horizon whose
- * share is of the order 1e-9 squared. */
+/* A ceiling that is 1e9 times as wide as high misses a strip of the horizon. The light
+ * from this strip is of the order of 1e-9 squared. */
 static void an_endless_ceiling_shows_the_whole_sky(void **state)
 {
     (void)state;
@@ -78,7 +78,7 @@ static void a_vertical_receiver_sees_the_vertical_sky_component(void **state)
     assert_near(uniform(all), 0.5, 1e-13);
 }
 
-/* The window of the design notes: fourteen printed digits. */
+/* A window calculated independently to fourteen digits. */
 static void the_design_window_has_its_fourteen_digits(void **state)
 {
     (void)state;
@@ -141,8 +141,8 @@ static void horizontal_rectangles_follow_the_formulae_on_paper(void **state)
     }
 }
 
-/* An endless strip 30 degrees high from the horizontal, protractors 9 and 10; what a
- * strip 1e5 long leaves out is of the order 1e-10. */
+/* An infinitely long strip 30 degrees high above the horizon, as on protractors 9 and
+ * 10. A strip of length 1e5 misses about 1e-10. */
 static void strips_are_the_unglazed_protractors(void **state)
 {
     (void)state;
@@ -155,8 +155,8 @@ static void strips_are_the_unglazed_protractors(void **state)
     assert_near(overcast(high), 0.21886, 0.5e-5);
 }
 
-/* A vertical receiver above a continuous obstruction of section altitude alpha. The
- * wall's ends at 1e6 times the distance hide a share of that to the power -2. */
+/* A vertical receiver in front of a continuous obstruction at the altitude alpha in
+ * section. Ends at 1e6 times the distance miss a share of 1e-12. */
 static void a_continuous_obstruction_leaves_the_vertical_sky_component(void **state)
 {
     (void)state;
@@ -165,7 +165,7 @@ static void a_continuous_obstruction_leaves_the_vertical_sky_component(void **st
                                         {40, 18.33}, {60, 7.42},  {80, 0.87}};
     for (size_t i = 0; i < sizeof printed / sizeof printed[0]; i++) {
         double alpha = printed[i][0] * PP_RAD;
-        /* Half space above the plane through the eye at that altitude. */
+        /* Half-space above the plane through the eye at that altitude. */
         struct pp_vec3 half_spaces[3] = {
             facing, zenith, {0.0, -sin(alpha), cos(alpha)}};
         const struct pp_vec3 wall[4] = {
@@ -180,8 +180,9 @@ static void a_continuous_obstruction_leaves_the_vertical_sky_component(void **st
     }
 }
 
-/* Lambert's law for something small and far: area times both cosines over distance
- * squared, wrong by about the square of its angular size, here 1e-8. */
+/* Inverse square law for a small, distant window: area times both cosines divided by
+ * the distance squared. The relative error is about the square of the angular size,
+ * 1e-8. */
 static void a_small_far_window_obeys_the_inverse_square_law(void **state)
 {
     (void)state;
@@ -194,7 +195,8 @@ static void a_small_far_window_obeys_the_inverse_square_law(void **state)
     assert_relative(m.cosine_sine, omega * middle * middle / r2, 1e-7);
 }
 
-/* A ring and the same ring the other way round cancel; a hole is such a ring. */
+/* An outline and the same outline in the opposite sense cancel; a hole is such an
+ * outline. */
 static void a_hole_counts_negative(void **state)
 {
     (void)state;
@@ -217,8 +219,8 @@ static void a_hole_counts_negative(void **state)
     assert_near(sum.cosine_sine, 0.0, 1e-15);
 }
 
-/* Cut in two along any line, a window gives the sum of its parts: also where the cut
- * passes straight above the point, along its horizon, or through a corner. */
+/* If a window is cut in two along any line, the parts add up to the window, even if the
+ * cut passes directly above the point, along its horizon or through a corner. */
 static void parts_of_a_window_add_up(void **state)
 {
     (void)state;
@@ -245,7 +247,7 @@ static void parts_of_a_window_add_up(void **state)
     assert_relative(west.omega + east.omega, roof.omega, 1e-14);
 }
 
-/* A corner straight above the point and an edge through the zenith. */
+/* A corner directly above the point and an edge through the zenith. */
 static void a_corner_at_the_zenith_is_like_any_other(void **state)
 {
     (void)state;
@@ -256,8 +258,9 @@ static void a_corner_at_the_zenith_is_like_any_other(void **state)
     assert_near(at.omega, beside.omega, 1e-11);
 }
 
-/* Almost in the window's plane, beside it, a receiver sees next to nothing of it; right
- * in front of it, a receiver that faces it sees nothing else. */
+/* A receiver near the plane of the window, beside the window, receives almost nothing
+ * from it. A receiver just in front of the window that faces it receives nothing
+ * else. */
 static void near_its_plane_a_window_is_all_or_nothing(void **state)
 {
     (void)state;

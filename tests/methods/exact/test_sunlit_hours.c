@@ -1,5 +1,5 @@
-/* test_sunlit_hours.c - hours of sun in closed form: what is known of days and walls, and
- * a count minute by minute with the almanac's sun. */
+/* test_sunlit_hours.c - hours of sun in closed form, compared with known facts about
+ * days and walls, and with a count minute by minute with the calculated sun. */
 #include "methods/exact/sunlit_hours.h"
 
 #include <stdlib.h>
@@ -69,8 +69,8 @@ static void the_equinox_has_twelve_hours_everywhere(void **state)
         assert_near(open_hours(latitudes[i], 0.0), HALF_TURN, 1e-9);
 }
 
-/* The longest day at 51.5 degrees: 2/15 acos(-tan 51.5 tan 23.44) = 16.404 h; beyond the
- * circle the sun does not set in summer, nor rise in winter. */
+/* The longest day at 51.5 degrees: 2/15 acos(-tan 51.5 tan 23.44) = 16.404 h. Beyond
+ * the polar circle the sun does not set in summer and does not rise in winter. */
 static void days_grow_until_the_sun_does_not_set(void **state)
 {
     (void)state;
@@ -83,7 +83,8 @@ static void days_grow_until_the_sun_does_not_set(void **state)
     assert_near(open_hours(-90.0, 11.3), 0.0, 0.0);
 }
 
-/* Hour by hour the day has the hours of the whole, and its times are one. */
+/* The hours of sun in single hours add up to those of the day, which form one
+ * interval. */
 static void a_day_by_hours_is_one_time(void **state)
 {
     (void)state;
@@ -95,8 +96,9 @@ static void a_day_by_hours_is_one_time(void **state)
     pp_sunlit_hours_clear(&day);
 }
 
-/* In winter the sun rises and sets south of east and west; in summer the two sides of a
- * wall share the day between them, and east and west walls halve it. */
+/* In winter the sun rises and sets south of east and west. In summer the two sides of a
+ * wall have sun for the whole day together; east and west walls have half of the day
+ * each. */
 static void two_sides_of_a_wall_share_the_day(void **state)
 {
     (void)state;
@@ -116,9 +118,10 @@ static void two_sides_of_a_wall_share_the_day(void **state)
     }
 }
 
-/* At the equinox the sun moves in a plane through due east and due west that rises
- * 90 - 51.5 = 38.5 degrees to the south, as does the plane over an endless skyline before
- * a south wall: one is above the other all day. */
+/* At the equinox the sun moves in a plane through due east and due west that is
+ * inclined 90 - 51.5 = 38.5 degrees above the south. The plane over an infinitely long
+ * skyline in front of a south wall contains the same axis, so the sun is above or below
+ * it all day. */
 static void an_endless_skyline_takes_all_of_the_equinox_or_nothing(void **state)
 {
     (void)state;
@@ -132,9 +135,9 @@ static void an_endless_skyline_takes_all_of_the_equinox_or_nothing(void **state)
                 0.0, 1e-9);
 }
 
-/* On the equinox the sun's azimuth from south has the tangent tan h / sin latitude. A
- * tower as high as it likes whose face stands 10 m before the window, from 3 m to its left
- * to 5 m to its right on the plan, hides it between those azimuths. */
+/* At the equinox the azimuth of the sun from south has the tangent tan h / sin
+ * latitude. A very tall tower, 10 m in front of the window, from 3 m to its left to 5 m
+ * to its right, hides the sun between the azimuths of its edges. */
 static void a_tower_hides_the_hours_of_its_azimuths(void **state)
 {
     (void)state;
@@ -147,7 +150,8 @@ static void a_tower_hides_the_hours_of_its_azimuths(void **state)
                 HALF_TURN - lost * HALF_TURN / PP_PI, 1e-9);
 }
 
-/* The same tower, direction by direction, at 10 degrees; behind the wall all is hidden. */
+/* The same tower, for single directions at an altitude of 10 degrees; all directions
+ * behind the wall are hidden. */
 static void a_tower_hides_the_directions_between_its_edges(void **state)
 {
     (void)state;
@@ -162,7 +166,7 @@ static void a_tower_hides_the_directions_between_its_edges(void **state)
         bool hidden = fabs(east) > 0.5 * PP_PI
                       || (east > -atan(3.0 / 10.0) && east < atan(5.0 / 10.0));
         if (abs(degree) == 90)
-            continue; /* along the wall */
+            continue; /* parallel to the wall */
         assert_int_equal(pp_hidden_cones_hide(&cones, pp_vec(sin(east) * cos(altitude),
                                                              -cos(east) * cos(altitude),
                                                              sin(altitude))),
@@ -172,8 +176,8 @@ static void a_tower_hides_the_directions_between_its_edges(void **state)
     pp_world_destroy(world);
 }
 
-/* Obstructions to the east hide in the morning as much as their mirror images in the
- * afternoon. */
+/* Obstructions in the east hide as much in the morning as their mirror images hide in
+ * the afternoon. */
 static void mornings_mirror_afternoons(void **state)
 {
     (void)state;
@@ -187,9 +191,10 @@ static void mornings_mirror_afternoons(void **state)
     assert_true(hours < open - 0.5);
 }
 
-/* ---- a year, counted ---- */
+/* ---- a year, counted minute by minute ---- */
 
-/* By rays: is the sun above the horizon, before the wall and behind nothing? */
+/* True if the sun is above the horizon, in front of the wall, and not hidden, tested
+ * with rays. */
 static bool shines(const struct pp_world *world, const struct pp_hidden_view *view,
                    double latitude_rad, double days)
 {
@@ -216,7 +221,8 @@ static bool shines(const struct pp_world *world, const struct pp_hidden_view *vi
     return true;
 }
 
-/* Minute by minute, and second by second in minutes at whose ends it differs. */
+/* Counts minutes, and seconds in those minutes in which the sun appears or
+ * disappears. */
 static double counted_hours(const struct pp_world *world, double latitude_rad)
 {
     struct pp_hidden_view view = pp_hidden_cones_outside(&world->openings[0]);
@@ -237,10 +243,10 @@ static double counted_hours(const struct pp_world *world, double latitude_rad)
     return minutes / 60.0;
 }
 
-/* The sun's declination, which the closed form takes from noon, moves by up to 0.2 degrees
- * until the day's end, and back half a year later. A turned block, another beside it and a
- * slab overhead that is not convex make some thousand ends of sun in the year; it was
- * 2244.53 and 2244.49 h. */
+/* The closed form uses the declination at noon, which changes by up to 0.2 degrees
+ * until the end of the day, with the opposite sign half a year later. A rotated block,
+ * a second block and a slab overhead that is not convex cause about a thousand ends of
+ * sun periods in the year. Measured: 2244.53 and 2244.49 h. */
 static void a_year_is_what_counting_makes_of_it(void **state)
 {
     (void)state;
@@ -270,9 +276,9 @@ static void a_year_is_what_counting_makes_of_it(void **state)
     pp_world_destroy(world);
 }
 
-/* A wood of 60 slender blocks, north at any angle and at latitudes from the equator to
- * beyond the circle: the year's hours are the same when no cone has a cap, which spares
- * most cones of a day their half-spaces. */
+/* 60 slender blocks, any orientation, latitudes from the equator to beyond the polar
+ * circle. The hours of the year are the same without the caps of cones, which save most
+ * of the tests of half-spaces. */
 static void caps_change_no_hour(void **state)
 {
     (void)state;
@@ -315,9 +321,10 @@ static void caps_change_no_hour(void **state)
     }
 }
 
-/* 21 March begins 10 hours earlier in Sydney (151.2 degrees east) than in Greenwich, when
- * the sun is 10 x 0.0165 degrees farther south. On the open plane the day there is longer
- * by 2 x 0.165 tan(33.9) / 15 h, on the Pacific's other side (151.2 west) as much shorter. */
+/* 21 March begins 10 hours earlier in Sydney (151.2 degrees east) than in Greenwich,
+ * when the sun is 10 x 0.0165 degrees farther south. In the open the day in Sydney is
+ * therefore longer by 2 x 0.165 tan(33.9) / 15 h, and at 151.2 degrees west shorter by
+ * the same time. */
 static void the_day_is_that_of_the_place(void **state)
 {
     (void)state;

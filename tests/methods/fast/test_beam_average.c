@@ -1,5 +1,5 @@
 /* test_beam_average.c - the mean over the working plane as an integral over directions,
- * against the mean of the closed form and the quadrature at points. */
+ * compared with the mean over points by closed form and quadrature. */
 #include "methods/fast/beam_average.h"
 
 #include "methods/method.h"
@@ -28,8 +28,8 @@ static bool at_point(void *data, int centre, const struct pp_receiver *receiver,
     return true;
 }
 
-/* Both means of every opening of a room; the points' own error is about `share` of the
- * sum. */
+/* Compares both means for every opening of a room. The error of the mean over points is
+ * about `share` of the mean. */
 static void assert_same_mean(const char *body, int points, double share)
 {
     char xml[2000];
@@ -65,7 +65,7 @@ static void assert_same_mean(const char *body, int points, double share)
     pp_world_destroy(world);
 }
 
-/* Numbers of points, and the share of their error. */
+/* Numbers of points, and the relative error of their mean. */
 #define FINE PP_SIZED(5000, 1500, 1500), PP_SIZED(8e-4, 2e-3, 2e-3)
 #define FINE_L PP_SIZED(5000, 1500, 1500), PP_SIZED(2e-3, 4e-3, 4e-3)
 #define COARSE 1500, 2e-3
@@ -80,7 +80,8 @@ static void an_unobstructed_window_and_its_reveal(void **state)
     assert_same_mean(BOX WINDOW "reveal='0.31'/>", FINE);
 }
 
-/* The parapet hides the lower part, the slab the upper one, the block what is between. */
+/* The parapet hides the lower part of the sky, the slab the upper part, and the block
+ * the part between them. */
 static void a_balcony_with_a_parapet_and_a_neighbour(void **state)
 {
     (void)state;

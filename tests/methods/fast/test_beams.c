@@ -1,5 +1,5 @@
-/* test_beams.c - areas along beams are the same however often and in whatever order they
- * are asked for. */
+/* test_beams.c - areas along beams do not depend on the order or the number of
+ * look-ups. */
 #include "methods/fast/beams.h"
 
 #include "tests/lib/dice.h"
@@ -14,14 +14,15 @@ static struct pp_world *room_before_a_block(void)
         "<block x='-2' y='-9' width='5' depth='3' height='7'/></room>");
 }
 
-/* Upwards and out of the south wall. */
+/* Direction upwards and out of the south wall. */
 static struct pp_vec3 direction(struct dice *dice)
 {
     return pp_vec_unit(pp_vec(between(dice, -1.0, 1.0), -between(dice, 0.05, 1.0),
                               between(dice, 0.05, 1.5)));
 }
 
-/* Looks up more directions than are kept, each twice, as the beam itself has them. */
+/* Looks up more directions than the store can keep, each twice, and compares with the
+ * areas calculated directly. */
 static void areas_are_those_of_the_beam(void **state)
 {
     (void)state;
@@ -60,7 +61,7 @@ static void areas_are_those_of_the_beam(void **state)
     pp_world_destroy(world);
 }
 
-/* Kept means of one opening, glass or view are not used for another's. */
+/* A stored mean is used only for its own opening, glass and view. */
 static void means_are_of_an_opening_a_view_and_a_glass(void **state)
 {
     (void)state;
@@ -90,7 +91,7 @@ static void means_are_of_an_opening_a_view_and_a_glass(void **state)
     pp_world_destroy(world);
 }
 
-/* Looks that would cost more than the bound have no areas, and say so by it. */
+/* Beyond the limit on the work, no areas are returned, and the result reports this. */
 static void a_space_that_is_spent_has_no_more_areas(void **state)
 {
     (void)state;

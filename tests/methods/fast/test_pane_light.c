@@ -1,5 +1,5 @@
-/* test_pane_light.c - the light through windows from tables, against quadrature over the
- * window, a plain sum over its area, closed forms and limits. */
+/* test_pane_light.c - light through windows from tables, compared with quadrature over
+ * the window, a simple sum over its area, closed forms and limits. */
 #include "tests/lib/dice.h"
 #include "tests/lib/near.h"
 
@@ -11,7 +11,7 @@
 
 static const struct pp_vec3 zenith = {0.0, 0.0, 1.0};
 
-/* A rectangle as seen from a point through a pane: what a view needs of an opening. */
+/* A rectangle seen from a point through a pane, as input for the tables. */
 struct window {
     struct pp_visible visible;
     struct pp_visible_patch patch;
@@ -19,7 +19,7 @@ struct window {
     double corners[4][2];
 };
 
-/* The axes of a pane that looks out at a slope, 0 up and pi/2 level, and a bearing. */
+/* Axes of a pane with a slope, 0 up and pi/2 vertical, and a bearing. */
 static struct pp_projection axes_of(double slope, double bearing)
 {
     struct pp_vec3 out = {sin(slope) * cos(bearing), sin(slope) * sin(bearing),
@@ -35,7 +35,7 @@ static struct pp_projection axes_of(double slope, double bearing)
     return axes;
 }
 
-/* `window` must stay where it is. */
+/* `window` must not move afterwards. */
 static void set_window(struct window *window, struct pp_projection axes, double left,
                        double right, double low, double high, double distance)
 {
@@ -69,7 +69,7 @@ static double gradation_at(const void *sky, double z)
     return pp_sky_table_gradation(sky, z);
 }
 
-/* To be freed, with its sky table. */
+/* The caller frees the result, with its sky table. */
 static struct lighting *lighting_of(struct pp_sky sky, struct pp_glass glass,
                                     const struct pp_projection *axes,
                                     struct pp_vec3 normal)
@@ -129,7 +129,7 @@ static double by_tables(const struct lighting *lighting, const struct window *wi
     return value;
 }
 
-/* L tau. */
+/* Luminance times transmittance. */
 static double luminance_at(const void *context, struct pp_vec3 u)
 {
     const struct lighting *lighting = context;
@@ -152,8 +152,8 @@ static double by_quadrature(const struct lighting *lighting,
     return result.value;
 }
 
-/* The middle of each of `steps` squared parts of the window, times the solid angle that the
- * part has there. */
+/* Sum over `steps` squared parts of the window: the luminance at the centre of each
+ * part times the solid angle of the part. */
 static double by_plain_sum(const struct lighting *lighting, const struct window *window,
                            int steps)
 {
@@ -229,7 +229,7 @@ static struct pp_projection any_axes(struct dice *dice)
     return axes_of(slope, between(dice, 0.0, 2.0 * PP_PI));
 }
 
-/* The quadrature is asked for 1e-11 of each value. */
+/* The target of the quadrature is a relative error of 1e-11. */
 static void edges_give_the_light_through_glass_to_1e9_of_the_open_sky(void **state)
 {
     (void)state;
@@ -253,7 +253,7 @@ static void edges_give_the_light_through_glass_to_1e9_of_the_open_sky(void **sta
     assert_true(worst_rough <= 1e-6);
 }
 
-/* A gradation about the zenith, and the 1e-11 of the quadrature as above. */
+/* A gradation about the zenith; the target of the quadrature is 1e-11, as above. */
 static void edges_give_a_sky_without_sun_to_1e9_of_the_open_sky(void **state)
 {
     (void)state;
@@ -274,9 +274,9 @@ static void edges_give_a_sky_without_sun_to_1e9_of_the_open_sky(void **state)
     assert_true(worst <= 1e-9);
 }
 
-/* The worst and the root mean square error of 1,020 windows under 30 skies of all types, sun
- * anywhere, a third of them without glass. What the quadrature gives is better by two powers
- * than the 1e-5 of the value that it is asked for. */
+/* Largest and root mean square error of 1,020 windows under 30 skies of all types, with
+ * any position of the sun; a third of the windows are unglazed. The quadrature is a
+ * hundred times more accurate than its target of 1e-5. */
 static void errors_of_tables(double *worst, double *rms, bool facing_up, uint64_t seed)
 {
     struct dice dice = {seed};
@@ -315,8 +315,9 @@ static void a_sky_table_is_within_1e6_of_the_open_sky_on_a_plane(void **state)
     assert_true(rms <= 1e-7);
 }
 
-/* On planes that face a low sun, whose light may be more than that of the open sky, under
- * iso-14 and 15, whose horizon is steepest, errors are up to 1e-5. */
+/* On planes that face a low sun, and may receive more light than under an unobstructed
+ * horizontal sky, the errors are up to 1e-5 for iso-14 and iso-15, the skies with the
+ * steepest gradient at the horizon. */
 static void a_sky_table_is_within_1e5_on_tilted_planes(void **state)
 {
     (void)state;
@@ -326,10 +327,10 @@ static void a_sky_table_is_within_1e5_on_tilted_planes(void **state)
     assert_true(rms <= 3e-7);
 }
 
-/* ---- against a plain sum, which knows nothing of edges ---- */
+/* ---- compared with a simple sum, which does not use edges ---- */
 
-/* The error of 400 steps each way, squares of a step times second derivatives, is below
- * 3e-6 for these. */
+/* The error of 400 x 400 steps, proportional to the squared step and the second
+ * derivatives, is below 3e-6 for these cases. */
 static void check_by_plain_sum(const char *what, struct pp_sky sky,
                                struct pp_glass glass, struct pp_projection axes,
                                struct pp_vec3 normal, const double window[4],
@@ -361,7 +362,8 @@ static void a_plain_sum_over_the_window_gives_the_same(void **state)
     const struct pp_vec3 tilted = pp_vec_unit(pp_vec(0.5, 0.8, 0.6));
     const double above[4] = {-0.7, 1.9, 0.3, 2.2}, to_horizon[4] = {-0.8, 1.1, 0, 1.7};
     const double overhead[4] = {-0.9, 1.3, -1.2, 0.8}, aside[4] = {1.7, 3.9, 0.1, 1.6};
-    /* The sun inside the window: its azimuth is near the wall's own, its altitude low. */
+    /* The sun is visible through the window: its azimuth is near that of the wall's
+     * normal, its altitude low. */
     const struct pp_sky facing = iso_sky(12, direction_of(0.6, 0.6));
     const struct pp_sky high = iso_sky(15, direction_of(1.4, 2.0));
     const struct pp_sky at_horizon = iso_sky(13, direction_of(0.0, 0.75));
@@ -385,9 +387,10 @@ static void a_plain_sum_over_the_window_gives_the_same(void **state)
 
 /* ---- limits ---- */
 
-/* 2e4 times as wide as it is far, an opening leaves out a strip of the horizon of 1e-4 at
- * grazing incidence, 1e-8 of the light. No window is farther from the table's middle all
- * round: with the steepest horizons, iso-14 and 15, before a slope the error is 1.7e-6. */
+/* An opening 2e4 times as wide as its distance misses a strip of 1e-4 at grazing
+ * incidence, which is 1e-8 of the light. No other window is farther from the centre of
+ * the table in all directions. With the steepest horizons, iso-14 and iso-15, in front
+ * of a slope the error is 1.7e-6. */
 static void an_endless_opening_shows_all_that_a_plane_gets(void **state)
 {
     (void)state;
@@ -413,8 +416,8 @@ static double all_through(const void *context, double c)
     return 1.0;
 }
 
-/* A pane that lets all light through leaves the closed form of the open window: both are
- * exact but for rounding and the polynomials. */
+/* With a pane that transmits all light the result equals the closed form for an open
+ * window, except for rounding and the error of the polynomials. */
 static void a_perfect_pane_leaves_the_closed_form(void **state)
 {
     (void)state;
@@ -444,8 +447,9 @@ static void a_perfect_pane_leaves_the_closed_form(void **state)
     free(table);
 }
 
-/* A hole in a ring runs the other way and takes its light away: two windows side by side are
- * one, and a ring run backwards is what it was with the sign changed. */
+/* A hole is an outline in the opposite sense and subtracts its light. Two windows side
+ * by side equal one window; an outline in the opposite sense gives the negative
+ * value. */
 static void windows_side_by_side_add_up(void **state)
 {
     (void)state;
@@ -462,7 +466,8 @@ static void windows_side_by_side_add_up(void **state)
     destroy_lighting(lighting);
 }
 
-/* A table is of one plane: others have to be told that there is none. */
+/* A sky table is valid for one plane; look-ups for other planes report that there is no
+ * table. */
 static void a_sky_table_is_for_its_own_plane(void **state)
 {
     (void)state;

@@ -1,11 +1,12 @@
-/* test_held_out_rooms.c - the fitted formulae on traced rooms that took no part in the fit:
- * the errors that docs/theory.md claims for them. */
+/* test_held_out_rooms.c - the fitted formulae in traced rooms that were not used for
+ * the fit: the errors stated in docs/theory.md. */
 #include <math.h>
 
 #include "methods/method.h"
 #include "tests/lib/traced_rooms.h"
 
-/* Mean squares of ln(figure/traced), of figure/traced - 1 and of their difference, at the darkest quarter, elsewhere, of averages. */
+/* Mean squares of ln(figure/traced), of figure/traced - 1 and of figure - traced, for
+ * the darkest quarter of the points, for the other points and for averages. */
 enum { DARK, ELSEWHERE, AVERAGE, PLACES };
 struct errors {
     double sum[PLACES], relative[PLACES], absolute[PLACES];
@@ -97,7 +98,8 @@ static double rms(void **state, int method, int place)
     return sqrt(errors->sum[place] / errors->count[place]);
 }
 
-/* 0.37 and 0.28 of theirs by the ratio over all rooms held out; 0.38 and 0.30. */
+/* Ratios of mean square errors over all rooms that were held out: 0.37 and 0.28; in the
+ * sample 0.38 and 0.30. */
 static void by_position_the_dark_quarter_has_half_the_error_of_averages(void **state)
 {
     double error = rms(state, IRC_ATLAS, DARK);
@@ -107,9 +109,11 @@ static void by_position_the_dark_quarter_has_half_the_error_of_averages(void **s
     assert_true(rms(state, FLUX_ATLAS, DARK) < 0.5 * rms(state, FLUX, DARK));
 }
 
-/* Over all rooms held out 0.18 and 0.09 of theirs relatively, 0.49 and 0.23 by daylight
- * factor; of the corrected ones 0.48, 0.55, 0.45 and 0.24, 0.39, 0.30 by daylight factor. Of the last a few bright rooms are most: from one sample of this size to another
- * it differs by 0.09, and the bound is two of these above 0.47. */
+/* Over all rooms that were held out, the mean square errors are 0.18 and 0.09 of those
+ * of the averages by ratio, and 0.49 and 0.23 by daylight factor. Those of the
+ * corrected averages are 0.48, 0.55, 0.45, and 0.24, 0.39, 0.30 by daylight factor. The
+ * last value depends mainly on a few bright rooms: it varies by 0.09 between samples of
+ * this size, so the limit is two of these above 0.47. */
 static void it_has_less_relatively_and_by_daylight_factor_too(void **state)
 {
     const struct errors *all = *state;
@@ -135,7 +139,7 @@ static void and_no_more_elsewhere(void **state)
     assert_true(error < rms(state, FLUX, ELSEWHERE));
 }
 
-/* 0.46, 0.43 and 0.23 over all rooms held out; the sample has 80 of them. */
+/* 0.46, 0.43 and 0.23 over all rooms that were held out; the sample has 80 of them. */
 static void corrected_averages_are_nearer_to_the_traced_ones(void **state)
 {
     assert_true(rms(state, BRE_ATLAS, AVERAGE) < 0.67 * rms(state, BRE, AVERAGE));
@@ -143,8 +147,8 @@ static void corrected_averages_are_nearer_to_the_traced_ones(void **state)
     assert_true(rms(state, DF_ATLAS, AVERAGE) < 0.5 * rms(state, DF, AVERAGE));
 }
 
-/* RMS of the ratio's logarithm of all rooms held out: 0.211, 0.194, 0.137; the standard
- * error of each is about a tenth of it in the sample. */
+/* RMS of the logarithm of the ratio over all rooms that were held out: 0.211, 0.194,
+ * 0.137. The standard error of each in the sample is about a tenth of the value. */
 static void errors_are_those_of_the_theory(void **state)
 {
     assert_near(rms(state, IRC_ATLAS, DARK), 0.211, 0.065);

@@ -1,5 +1,5 @@
-/* test_irc_atlas.c - the formulae that were fitted to traced rooms: against a sum on paper,
- * and at their physical limits. */
+/* test_irc_atlas.c - the formulae fitted to traced rooms: compared with a calculation
+ * by hand, and at their physical limits. */
 #include <stdlib.h>
 
 #include "methods/fitted/fitted_constants.h"
@@ -9,7 +9,8 @@
 
 #include "tests/lib/box_room.h"
 
-/* The value of one opening for a receiver that faces up; NULL: the average. */
+/* Value of one opening for a receiver that faces up; with receiver NULL, the
+ * average. */
 static double value_of(const struct pp_method *method, struct box_room *box, int index,
                        const struct pp_receiver *receiver)
 {
@@ -45,7 +46,7 @@ static void build_room(struct box_room *box, double depth, double reflectance)
     box->light.ground_reflectance = 0.17;
 }
 
-/* Worked on paper with the figures of print, in a room of 3.7 x 5.3 x 2.9 m:
+/* Calculated by hand with printed values, in a room of 3.7 x 5.3 x 2.9 m:
  *
  *   A = 2 (3.7 5.3 + 9.0 2.9) = 91.42, glass 2.47;
  *   R = (19.61 (0.15 + 0.81) + (52.2 - 2.47) 0.62 + 2.47 0.1)/A = 0.545889
@@ -54,7 +55,8 @@ static void build_room(struct box_room *box, double depth, double reflectance)
  *   V = 0.396177, C_g = 0.085, tau = 0.85, Ag = 2.47, no reveal, nothing outside
  *   irc_m = 0.85 2.47/(A (1 - R)) (V rho_l + C_g) rho_u^(1/2)
  *           (A_l/A_u)^(c (1 - R))
- *   l = 2 3.7 2.9/6.6 = 3.251515; x = 4.1, y = 0.45, 1.8 m of wall beside the window */
+ *   l = 2 3.7 2.9/6.6 = 3.251515; x = 4.1, y = 0.45, 1.8 m of wall beside the window
+ */
 static void build_worked_room(struct box_room *box)
 {
     box_room_build(box, 3.7, 5.3, 2.9, 0.15, 0.62, 0.81);
@@ -83,9 +85,10 @@ static void worked_room_is_as_on_paper(void **state)
                     1e-4);
 }
 
-/* The same room by the other two. Without the window's wall, below 1.35 m
+/* The same room by the other two formulae. Without the window wall, below 1.35 m
  *   R_fw = (19.61 0.15 + 14.3 1.35 0.62)/(19.61 + 14.3 1.35) = 0.383157
- * and of the window 0.15 m of 1.3 m are below the plane at 0.85 m. */
+ * and 0.15 m of the 1.3 m of the window's height are below the plane at 0.85 m.
+ */
 static void worked_room_is_as_on_paper_by_bre_and_split_flux(void **state)
 {
     (void)state;
@@ -105,9 +108,11 @@ static void worked_room_is_as_on_paper_by_bre_and_split_flux(void **state)
     assert_relative(value_of(&pp_method_split_flux_atlas, &box, 0, NULL), flux, 1e-4);
 }
 
-/* Behind an endless skyline of 40 degrees, black,
+/* Behind an infinitely long, black skyline of 40 degrees,
  *   V = 3/14 (1 - sin 40) + 4/(7 pi) cos(40)^2 = 0.183283,
- * 0.462836 of 0.396; what the ground adds is by its power b/2 less than in the open. */
+ * which is 0.462836 of 0.396177. The light from the ground is reduced by the power b/2
+ * of this ratio.
+ */
 static void the_ground_stands_in_half_of_the_openings_shade(void **state)
 {
     (void)state;
@@ -127,7 +132,7 @@ static void the_ground_stands_in_half_of_the_openings_shade(void **state)
                     pow(0.462836, atof(PP_FITTED_SHADE) / 2), 1e-3);
 }
 
-/* A window from wall to wall has no wall beside it that would be darker. */
+/* Beside a window from wall to wall there is no wall that would be darker. */
 static void a_window_as_broad_as_its_wall_lights_alike_from_side_to_side(void **state)
 {
     (void)state;
@@ -149,12 +154,13 @@ static void a_furnace_is_lit_alike_everywhere_by_its_energy_balance(void **state
     struct pp_opening *window = box_room_south(&box, 1.84, 1.4, 0.02, 0.013);
     window->glass.diffuse = 0.85;
     double glass = 0.02 * 0.013;
-    /* Only the opening takes light: A (1 - R) is 0.9 of its area. */
+    /* Only the opening absorbs light: A (1 - R) is 0.9 of its area. */
     double balance = 0.85 * glass * (0.396177 + 0.1) / (0.9 * glass);
     for (int i = 0; i < BY_POSITION; i++)
         for (double y = 0.7; y < 9.3; y += 2.1) {
             struct pp_receiver point = at(2.9, y);
-            /* The difference is the rest of 1 - R, 2.4e-6, and of its root in f_d. */
+            /* The difference is the remainder of 1 - R, 2.4e-6, and its square root in
+             * f_d. */
             assert_relative(value_of(by_position[i], &box, 0, &point), balance, 1e-2);
         }
 }
@@ -190,8 +196,8 @@ static void without_light_outside_there_is_none_inside(void **state)
         assert_near(value_of(all[i], &box, 0, &point), 0.0, 1e-6);
 }
 
-/* In a room 1000 m deep, 100 m from the window, nothing is left; at 2.1 m as much as if
- * the room ended much nearer. */
+/* In a room 1000 m deep no light is left 100 m from the window; at 2.1 m the light is
+ * the same as in a much shorter room. */
 static void a_depth_without_end_takes_all_light(void **state)
 {
     (void)state;
@@ -206,8 +212,9 @@ static void a_depth_without_end_takes_all_light(void **state)
     }
 }
 
-/* The light starts c l/k = 2.9 m behind the window: a room of that depth is the same at all
- * depths, whatever it reflects, a shallower one brighter at its back. */
+/* The light starts c l/k = 2.9 m behind the window. In a room of that depth it is the
+ * same at all depths, for any reflectance; in a shallower room it is brighter at the
+ * back. */
 static void a_room_that_ends_where_the_light_starts_is_alike_at_all_depths(void **state)
 {
     (void)state;
@@ -239,7 +246,7 @@ static void the_back_has_less_than_the_front_and_a_white_room_less_so(void **sta
     }
 }
 
-/* The window stands in the middle of its wall: the midpoint rule over 40 x 40 points. */
+/* The window is in the middle of its wall; midpoint rule over 40 x 40 points. */
 static void the_mean_over_the_plane_is_the_average(void **state)
 {
     (void)state;
@@ -270,7 +277,7 @@ static void ground_and_obstruction_are_the_rooms(void **state)
         box_room_skyline(&box, 40.0 * PP_RAD, 1.35, INFINITY);
         double obstructed = value_of(all[i], &box, 0, NULL);
         assert_true(obstructed < 0.7 * open);
-        /* As obstruction 2.6 times lighter gives more. */
+        /* As an obstruction with 2.6 times the reflectance gives more. */
         box.skyline.reflectance = 0.52;
         assert_true(value_of(all[i], &box, 0, NULL) > obstructed);
     }

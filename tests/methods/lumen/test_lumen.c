@@ -1,10 +1,10 @@
-/* test_lumen.c - the lumen method: its sum, its points, its two forms, and the rooms
- * that it covers. */
+/* test_lumen.c - the lumen method: its calculation, its points, its two forms, and the
+ * rooms that it covers. */
 #include "methods/evaluate.h"
 #include "methods/method.h"
 #include "tests/lib/room_of.h"
 
-/* Elements of the room of a test, whose size is on lines of the table: two window
+/* Elements of a test room whose dimensions are on lines of the table: two window
  * heights wide, four deep. */
 struct parts {
     const char *before, *finishes, *window, *after;
@@ -51,17 +51,17 @@ static const struct pp_column *column(const char *name)
     return found;
 }
 
-/* By hand, of cells as tables/lumen_sidelight.csv has them (ceiling 0.7, walls 0.5,
- * depth 4, width 2, at 30 %): overcast 0.1963, ground 0.137. 0.39618 and 0.1 fall on
- * the window; tau = 0.8269 x 2.4 x 1.5 x 0.8 / (3 x 1.5) x 0.9 = 0.47629, so that DF =
- * 0.47629 (0.39618 x 0.1963 + 0.1 x 0.137) = 4.357 %. */
+/* Calculated by hand with cells of tables/lumen_sidelight.csv (ceiling 0.7, walls 0.5,
+ * depth 4, width 2, at 30 %): overcast 0.1963, ground 0.137. The window receives
+ * 0.39618 from the sky and 0.1 from the ground; tau = 0.8269 x 2.4 x 1.5 x 0.8 / (3 x
+ * 1.5) x 0.9 = 0.47629, so DF = 0.47629 (0.39618 x 0.1963 + 0.1 x 0.137) = 4.357 %. */
 static void sum_is_as_worked_by_hand(void **state)
 {
     (void)state;
     evaluate(&usual, "lumen,lumen-one");
     assert_null(column("lumen")->points[0].why);
     assert_near(100.0 * column("lumen")->points[0].value, 4.357, 2e-3);
-    /* Over a ground of 0.2 the two forms are the same. */
+    /* For a ground reflectance of 0.2 the two forms give the same value. */
     assert_relative(column("lumen-one")->points[0].value,
                     column("lumen")->points[0].value, 1e-12);
     assert_relative(column("lumen-one")->average.value, column("lumen")->average.value,
@@ -69,7 +69,7 @@ static void sum_is_as_worked_by_hand(void **state)
     done();
 }
 
-/* One coefficient sends the light of a brighter ground where the sky's goes. */
+/* The form with one coefficient treats light from a brighter ground like skylight. */
 static void forms_differ_over_another_ground(void **state)
 {
     (void)state;
@@ -104,7 +104,7 @@ static void points_are_read_by_their_depth_alone(void **state)
     done();
 }
 
-/* The frame, the dirt and the width of the window are each counted once. */
+/* Frame, dirt and width of the window each count once. */
 static void allowances_are_counted_once(void **state)
 {
     (void)state;
@@ -146,7 +146,7 @@ static void windows_side_by_side_and_opposite_add_up(void **state)
 }
 
 /* A_s/A_w T B M CU: 4 rooflights of 0.5 m2 over 18 m2; h = 1.5, RCR = 5 x 1.5 x 9 / 18
- * = 3.75; clear glass 0.8269. CU(3.75, 0.7, 0.5) lies in the table. */
+ * = 3.75; clear glass 0.8269. CU(3.75, 0.7, 0.5) is in the table. */
 static void rooflights_have_an_average_only(void **state)
 {
     (void)state;
@@ -161,7 +161,8 @@ static void rooflights_have_an_average_only(void **state)
     double cu = df / (0.8269 * 0.7 * 2.0 / 18.0);
     assert_in_range((int)(100.0 * cu), 50, 75);
     done();
-    top.before = "<sky type='uniform'/>"; /* the level pane gets Eh under any sky */
+    top.before =
+        "<sky type='uniform'/>"; /* the horizontal pane receives Eh under any sky */
     evaluate(&top, "lumen");
     assert_relative(column("lumen")->average.value, df, 1e-12);
     done();
@@ -171,8 +172,8 @@ static void rooflights_have_an_average_only(void **state)
     done();
 }
 
-/* An endless wall a kilometre off that rises to 45 degrees leaves level glass
- * (1 + cos 45)/2 of the uniform sky. */
+/* An infinitely long wall a kilometre away that rises to 45 degrees leaves horizontal
+ * glass (1 + cos 45)/2 of the uniform sky. */
 static void top_light_loses_what_an_obstruction_hides(void **state)
 {
     (void)state;
@@ -189,7 +190,7 @@ static void top_light_loses_what_an_obstruction_hides(void **state)
         "<block x='-40000' y='-1015' width='80000' depth='10' height='1007.35'/>"
         "<point x='1' y='1.8'/>";
     evaluate(&top, "lumen");
-    /* 1005 m above the glass, 1005 to 1009 m off. */
+    /* 1005 m above the glass, 1005 to 1009 m away. */
     assert_relative(column("lumen")->average.value,
                     open * (1.0 + cos(PP_PI / 4.0)) / 2.0, 2e-3);
     done();
@@ -214,7 +215,8 @@ static void what_the_tables_do_not_hold_is_refused(void **state)
     struct parts p = usual;
     p.before = "<sky type='uniform'/>";
     refused(p, "Ev/Eh is 0.5; the table covers 0.75 to 1.75");
-    p.before = "<sky type='iso-12' sun-altitude='40' sun-bearing='0'/>"; /* behind */
+    p.before =
+        "<sky type='iso-12' sun-altitude='40' sun-bearing='0'/>"; /* behind the window */
     refused(p, "a sky whose Ev/Eh");
     p = usual;
     p.finishes = "<finishes floor='0.3' walls='0.2' ceiling='0.7'/>";
@@ -250,8 +252,7 @@ static void what_the_tables_do_not_hold_is_refused(void **state)
     refused(p, "nor in the opposite wall");
 }
 
-/* A clear sky with the sun before the window: brighter outside than the overcast
- * one. */
+/* A clear sky with the sun in front of the window: brighter than the overcast sky. */
 static void clear_skies_are_read_by_their_ratio(void **state)
 {
     (void)state;
@@ -263,7 +264,7 @@ static void clear_skies_are_read_by_their_ratio(void **state)
     evaluate(&usual, "lumen");
     assert_true(clear > 1.5 * column("lumen")->points[0].value);
     done();
-    p.before = "<sky type='iso-1'/>"; /* the overcast sky in its other form */
+    p.before = "<sky type='iso-1'/>"; /* the other definition of the overcast sky */
     evaluate(&p, "lumen");
     assert_null(column("lumen")->points[0].why);
     done();

@@ -1,5 +1,5 @@
-/* test_lumen_room.c - flux transfer in the lumen method's rooms, and the tables made
- * from it. */
+/* test_lumen_room.c - flux transfer in the rooms of the lumen method, and the tables
+ * calculated from it. */
 #include "methods/lumen/lumen_cavity.h"
 #include "methods/lumen/lumen_room.h"
 #include "methods/lumen/lumen_table.h"
@@ -9,7 +9,7 @@
 #include "tests/lib/sized.h"
 #include "tests/lib/traced.h"
 
-/* A first row of NAN is not there: Ev/Eh, depth, per cent, then the widths. */
+/* Ev/Eh, depth, per cent, then a value for each width; NAN: no value. */
 static const double handbook[][11] = {
 #include "tests/methods/lumen/lumen_handbook.inc"
 };
@@ -17,7 +17,7 @@ enum { HANDBOOK = sizeof handbook / sizeof handbook[0] };
 
 static const double widths[8] = {0.5, 1, 2, 3, 4, 6, 8, INFINITY};
 
-/* A room's coefficients, Ev/Eh NAN for the ground. */
+/* Coefficients of a room; Ev/Eh is NAN for the ground. */
 static struct pp_lumen_coefficients solve(double width, double depth, double ev_over_eh,
                                           double ceiling, double walls, double *lost)
 {
@@ -36,7 +36,7 @@ static struct pp_lumen_coefficients solve(double width, double depth, double ev_
     return cu;
 }
 
-/* The unit cube's two form factors, as every handbook of heat transfer prints them. */
+/* The two form factors of the unit cube, as printed in handbooks of heat transfer. */
 static void faces_of_a_cube_have_the_printed_form_factors(void **state)
 {
     (void)state;
@@ -47,7 +47,7 @@ static void faces_of_a_cube_have_the_printed_form_factors(void **state)
     assert_near(pp_rectangle_factor_exchange_area(&floor, &wall), 0.200044, 5e-7);
 }
 
-/* Light from a piece of floor arrives: on the ceiling, the four walls. */
+/* All light from a piece of floor arrives on the ceiling and the four walls. */
 static void all_light_of_a_piece_of_floor_arrives(void **state)
 {
     (void)state;
@@ -63,7 +63,7 @@ static void all_light_of_a_piece_of_floor_arrives(void **state)
     assert_near(sum, pp_rectangle_factor_area(&piece), 1e-14);
 }
 
-/* Four lines across: an endless strip's factor to the one opposite, by crossed strings,
+/* Form factor of an infinitely long strip to the opposite strip, by crossed strings:
  * (sqrt(w^2 + h^2) - h) / w. */
 static void long_strips_go_by_crossed_strings(void **state)
 {
@@ -71,12 +71,12 @@ static void long_strips_go_by_crossed_strings(void **state)
     double w = 1.3, h = 0.7, length = 1e4;
     const struct pp_aligned_rectangle a = {2, {0, 0, 0}, {length, w, 0}};
     const struct pp_aligned_rectangle b = {2, {0, 0, h}, {length, w, h}};
-    /* The ends take 1e-4 of it. */
+    /* The ends reduce it by 1e-4. */
     assert_relative(pp_rectangle_factor_exchange_area(&a, &b) / (length * w),
                     (hypot(w, h) - h) / w, 2e-4);
 }
 
-/* In a black room there is direct light only, which has a closed form. */
+/* A black room has only direct light, which has a closed form. */
 static void black_room_has_the_closed_form_of_its_window(void **state)
 {
     (void)state;
@@ -97,7 +97,8 @@ static void black_room_has_the_closed_form_of_its_window(void **state)
         pp_solid_angle_add_moments(&moments, window, 4, up, &up, 1);
         double expected = fabs(pp_solid_angle_sky_component(&moments, &sky))
                           / pp_sky_on_plane(&sky, pp_vec(0, -1, 0));
-        assert_relative(cu.at[k], expected, 1e-9); /* Gauss's rule of 48 points */
+        assert_relative(cu.at[k], expected,
+                        1e-9); /* Gauss-Legendre rule with 48 points */
     }
 }
 
@@ -108,12 +109,13 @@ static void light_is_kept(void **state)
     for (int i = PP_SIZED(0, 2, 2); i < 4; i++) {
         double lost;
         solve(1.7, 4.3, lights[i], 0.7, 0.5, &lost);
-        assert_near(lost, 0.0, 1e-3); /* of direct light over a patch's four points */
+        assert_near(lost, 0.0,
+                    1e-3); /* lost direct light, since a patch has only four points */
     }
 }
 
-/* By the simulation, in which the working plane is the floor and nothing comes from the
- * ground. Its own error, and 1 % of the mesh's. */
+/* Compared with the simulation; the working plane is the floor, and no light comes from
+ * the ground. Tolerance: the standard error, and 1 % for the mesh. */
 static void simulation_agrees(void **state)
 {
     (void)state;
@@ -136,7 +138,8 @@ static void simulation_agrees(void **state)
     for (int k = 0; k < PP_LUMEN_POINTS; k++) {
         struct pp_reading df = traced[k][PP_DF];
         assert_near(df.value / ev, cu.at[k], 3.0 * df.std_error / ev + 0.01 * cu.at[k]);
-        assert_true(df.std_error < 0.02 * df.value); /* so that it says something */
+        assert_true(df.std_error
+                    < 0.02 * df.value); /* small enough for a meaningful test */
     }
     free(traced);
     pp_world_destroy(world);
@@ -161,7 +164,7 @@ static void read_own(double cu[PP_LUMEN_POSITIONS], const struct pp_lumen_table 
         fail_msg("%s", why);
 }
 
-/* A sample of the table is worked out again: the same to its four digits. */
+/* Recalculates a sample of the table: equal to its four digits. */
 static void table_is_what_the_rooms_give(void **state)
 {
     (void)state;
@@ -203,7 +206,8 @@ static void handbook_rows_are_near(void **state)
             over_wide += fabs(off) > 0.20 && widths[w] > 0.5;
             assert_true(fabs(off) < 0.44);
         }
-    /* 10 to 13 % a block; the narrow rooms' backs are what is off. */
+    /* Differences of 10 to 13 % in each block, mainly at the back of the narrow
+     * rooms. */
     assert_true(sqrt(squares / (8 * HANDBOOK)) < 0.12);
     assert_int_equal(HANDBOOK, 25);
     assert_in_range(over, 0, 10);
@@ -223,7 +227,8 @@ static void clear_skies_have_their_ratio(void **state)
     assert_int_equal(pp_lumen_room_sky(&sky, 4.0, NULL), PP_BAD_INPUT);
 }
 
-/* Half-way between its lines, against the rooms themselves: 8 %, as is claimed. */
+/* Halfway between the lines of the table, compared with the rooms themselves: 8 %, as
+ * documented. */
 static void table_is_good_between_its_lines(void **state)
 {
     (void)state;
@@ -241,8 +246,8 @@ static void table_is_good_between_its_lines(void **state)
     pp_lumen_table_destroy(table);
 }
 
-/* With no walls to speak of all light falls on the plane; white rooms lose none; in
- * black ones it is the form factor. */
+/* With very low walls all light falls on the plane; white rooms lose no light; in black
+ * rooms the value is the form factor. */
 static void light_from_above_has_its_limits(void **state)
 {
     (void)state;
@@ -251,7 +256,7 @@ static void light_from_above_has_its_limits(void **state)
     assert_near(pp_lumen_cavity(3.7, 1.0, 1.0, 0.0), 1.0, 1e-12);
     assert_near(pp_lumen_cavity(1e-6, 0.8, 0.5, 0.2),
                 pp_lumen_cavity(0.0, 0.8, 0.5, 0.2), 1e-5);
-    /* RCR 10: a square as wide as it is high, whose factor is the cube's. */
+    /* RCR 10: a square room as high as wide, whose form factor is that of the cube. */
     assert_near(pp_lumen_cavity(10.0, 0.0, 0.0, 0.2), 0.199825, 5e-7);
 }
 

@@ -1,5 +1,5 @@
-/* test_lumen_table.c - a user's tables of the lumen method: correct ones are read,
- * mistakes are reported with their lines. */
+/* test_lumen_table.c - tables of the lumen method supplied by a user: valid tables are
+ * read, mistakes are reported with their lines. */
 #include "methods/lumen/lumen_table.h"
 #include "methods/lumen/lumen_csv.h"
 #include "tests/lib/near.h"
@@ -23,7 +23,7 @@ static void done(void)
     pp_lumen_table_destroy(table);
 }
 
-/* The first mistake is on that line and has those words. */
+/* The first mistake is on this line and its message contains these words. */
 static void refused(const char *text, int line, const char *words)
 {
     assert_int_equal(parse(text, strlen(text)), PP_BAD_INPUT);
@@ -47,7 +47,8 @@ static const char good[] =
     "sky,0.4,4,10,0.5,0.7\r\nsky,0.4,4,30,0.4,0.6\r\nsky,0.4,4,50,0.3,0.5\r\n"
     "sky,0.4,4,70,0.2,0.4\r\nsky,0.4,4,90,0.1,0.3";
 
-/* Without reflectances it serves for any; without averages their mean does. */
+/* A table without reflectances is used for any reflectances; without averages the mean
+ * of its values is used. */
 static void plain_table_is_read(void **state)
 {
     (void)state;
@@ -59,7 +60,8 @@ static void plain_table_is_read(void **state)
     assert_near(cu[0], 0.7, 0.0);
     assert_near(cu[4], 0.3, 0.0);
     assert_near(cu[PP_LUMEN_AVERAGE], 0.5, 1e-12);
-    /* By the reciprocal of the width, geometric: 4/3 is half-way from 1 to 2. */
+    /* Geometric interpolation in the reciprocal of the width: 4/3 is halfway from 1 to
+     * 2. */
     query.at[PP_LUMEN_WIDTH] = 4.0 / 3.0;
     assert_true(pp_lumen_table_side(cu, table, &query, why, sizeof why));
     assert_near(cu[0], sqrt(0.5 * 0.7), 1e-12);
@@ -69,7 +71,7 @@ static void plain_table_is_read(void **state)
     query.ev_over_eh = NAN;
     assert_true(pp_lumen_table_side(cu, table, &query, why, sizeof why));
     assert_near(cu[2], sqrt(0.2 * 0.3), 1e-12);
-    /* The program's own table for light from above is still there. */
+    /* The program's own table for light from above is still used. */
     assert_near(pp_lumen_table_top(table, 0.0, 0.5, 0.5, why, sizeof why), 1.1111,
                 1e-9);
     done();
@@ -97,8 +99,8 @@ static void nothing_is_read_outside_it(void **state)
     done();
 }
 
-/* The ground may stop short of the sky's depths, as in what is known of the
- * handbook. */
+/* The table for the ground may have fewer depths than that for the sky, as in the
+ * published part of the handbook. */
 static void cells_left_out_are_no_numbers(void **state)
 {
     (void)state;
@@ -201,7 +203,7 @@ static void what_is_no_text_is_refused(void **state)
     free(line);
 }
 
-/* More values than an axis holds. */
+/* Rejects more values than an axis can have. */
 static void too_long_axes_are_refused(void **state)
 {
     (void)state;
@@ -212,8 +214,8 @@ static void too_long_axes_are_refused(void **state)
     refused(text, PP_LUMEN_AXIS_MOST + 2, "more than 24 different room depths");
 }
 
-/* Every beginning of a good table, and each of its bytes in turn another: read or
- * refused, never anything else. */
+/* Every truncation of a valid table, and every table with one byte changed, is either
+ * read or rejected. */
 static void damaged_tables_do_no_harm(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_nomogram.c - nomograms of the internally reflected component: their scales, the
- * rule behind them, and the method. */
+/* test_nomogram.c - nomograms of the internally reflected component: their scales,
+ * their rounding, and the method. */
 #include <stdio.h>
 
 #include "methods/reflected/interior.h"
@@ -16,7 +16,8 @@
 #include "tests/lib/box_room.h"
 #include "tests/lib/room_of.h"
 
-/* The formula with the rule, written out once more; per cent in, fraction out. */
+/* The formula with the rule for obstructions, written independently; input in per cent,
+ * result a fraction. */
 static double formula(double ratio, double R, double C, double ground, double k)
 {
     double R_fw = 2.0 * R / (1.0 + k), R_cw = k * R_fw;
@@ -34,9 +35,9 @@ static double across(const struct pp_nomogram *nomogram, int index, double from,
     return pp_nomogram_scale_value(nomogram, edge->read, y);
 }
 
-/* By hand: W/A 0.05, R 0.45778, k 1.5: R_fw 0.366224, R_cw 0.549336; 39 R_fw + 5 R_cw =
- * 17.029; 0.85 x 0.05/0.54222 x 17.029 = 1.3348 %; at 40 degrees 20 in place of 39:
- * 10.0712, 0.7894 %. */
+/* Calculated by hand: W/A 0.05, R 0.45778, k 1.5: R_fw 0.366224, R_cw 0.549336; 39 R_fw
+ * + 5 R_cw = 17.029; 0.85 x 0.05/0.54222 x 17.029 = 1.3348 %. At 40 degrees with 20
+ * instead of 39: 10.0712, 0.7894 %. */
 static void straight_edge_does_the_sum_worked_by_hand(void **state)
 {
     (void)state;
@@ -62,8 +63,8 @@ static void straight_edge_gives_the_formula_with_its_rule(void **state)
             }
 }
 
-/* Glass under the open sky: all of it above a horizontal pane, 39.6 % on an upright one
- * with 5 % from the ground. */
+/* Glass under the open sky: horizontal glass receives 100 %, vertical glass 39.6 % and
+ * 5 % from the ground. */
 static void straight_edge_gives_the_formula_for_top_light(void **state)
 {
     (void)state;
@@ -85,8 +86,8 @@ static void straight_edge_gives_the_formula_for_top_light(void **state)
     }
 }
 
-/* By hand: T W 3 m2 over 100 m2 and R 0.5: 0.03/0.5 = 0.06; light of 20 %: 1.2 %; by a factor
- * of 0.5: 0.6 %. */
+/* Calculated by hand: T W 3 m2, A 100 m2 and R 0.5: 0.03/0.5 = 0.06; illuminance 20 %:
+ * 1.2 %; with a factor of 0.5: 0.6 %. */
 static void straight_edge_gives_the_component_at_a_point(void **state)
 {
     (void)state;
@@ -98,8 +99,9 @@ static void straight_edge_gives_the_component_at_a_point(void **state)
     assert_relative(across(&nomogram, 2, E, 0.5), 0.006, 1e-12);
 }
 
-/* All lines from a place to its factor go through one point of the curve, by hand q 2 at the
- * place 0.5: 2 exp(-1)/(1 - exp(-2)) = 0.85092; rooms that are brighter at their back, too. */
+/* All lines from a position to its factor meet at one point of the curve. Calculated by
+ * hand for q = 2 at the position 0.5: 2 exp(-1)/(1 - exp(-2)) = 0.85092. This also
+ * holds for rooms that are brighter at the back. */
 static void lines_of_one_depth_meet_on_the_curve(void **state)
 {
     (void)state;
@@ -124,8 +126,8 @@ static void lines_of_one_depth_meet_on_the_curve(void **state)
     assert_near(y, pp_nomogram_scale_position(&nomogram, PP_STEM_F, 1.0), 1e-12);
 }
 
-/* Read to a fifth of a division, the sum of a room's windows is what irc-atlas says: within 3 %
- * at any point. */
+/* Read to a fifth of a division, the sum over the windows of a room is within 3 % of
+ * irc-atlas at any point. */
 static void point_of_a_room_is_read_as_the_formula_has_it(void **state)
 {
     (void)state;
@@ -198,7 +200,7 @@ static void what_leaves_the_scales_is_refused(void **state)
     }
 }
 
-/* Readings lie between the values set, on the sheet, for all values. */
+/* For all values, the readings are between the values set and on the sheet. */
 static void scales_keep_to_the_sheet(void **state)
 {
     (void)state;
@@ -224,7 +226,8 @@ static void scales_keep_to_the_sheet(void **state)
     }
 }
 
-/* 1-2-5 divisions, each at least 0.9 mm, that meet the bold figures. */
+/* Divisions in steps of 1, 2 or 5, at least 0.9 mm wide, that include the numbered
+ * marks. */
 static void divisions_can_be_told_apart(void **state)
 {
     (void)state;
@@ -252,8 +255,8 @@ static void divisions_can_be_told_apart(void **state)
     }
 }
 
-/* The rooms that k is chosen for. `mean` is the geometric mean of the formula with the
- * rule over the formula itself, without an obstruction. */
+/* Geometric mean, over the rooms for which k was chosen, of the formula with the rule
+ * divided by the formula itself, without an obstruction. */
 static double mean_ratio(double k)
 {
     static const double sides[] = {3.0, 4.5, 6.0, 8.0}, heights[] = {2.5, 3.0, 3.5},
@@ -307,9 +310,9 @@ static double nomogram_of(const struct pp_world *world,
     return part.value;
 }
 
-/* Room 6 x 4 x 3 m, window 3.6 x 1.5 m: A = 0.05, R = 0.45778, set to 0.458 (divisions
- * of 0.01, fifths of 0.002). The sum is 1.336 %, read 1.34 on divisions of 0.05 (fifths
- * 0.01). */
+/* Room 6 x 4 x 3 m, window 3.6 x 1.5 m: A = 0.05; R = 0.45778, set to 0.458 (divisions
+ * of 0.01, a fifth is 0.002). The sum is 1.336 %, read as 1.34 on divisions of 0.05 (a
+ * fifth is 0.01). */
 static void worked_room_is_read_to_a_fifth_of_a_division(void **state)
 {
     (void)state;
@@ -322,9 +325,10 @@ static void worked_room_is_read_to_a_fifth_of_a_division(void **state)
     assert_near(100.0 * nomogram_of(&box.world, &box.light, 0, NULL), 0.80, 1e-12);
 }
 
-/* Unobstructed panes at slopes that scale D has figures for are set there. Light on the
- * pane is by the closed form of the overcast sky's, with the ground's share below. A and B
- * together, C and E are each read to half of a fifth of a division, 0.55 % at the most. */
+/* Unobstructed panes are set on scale D at the slopes for which it has values. Light on
+ * the pane is calculated from the closed form for the overcast sky and the share of the
+ * ground. A and B together, and C and E, are each read to half of a fifth of a
+ * division, at most 0.55 %. */
 static void top_light_is_set_at_its_slope(void **state)
 {
     (void)state;
@@ -350,7 +354,7 @@ static void top_light_is_set_at_its_slope(void **state)
     }
 }
 
-/* A pane of 2 dm2 is far below scale A; the glass house far above it. */
+/* A pane of 2 dm2 is far below the end of scale A; a glasshouse is far above it. */
 static void ratios_off_the_scale_are_shifted_by_tens(void **state)
 {
     (void)state;
@@ -371,8 +375,8 @@ static void ratios_off_the_scale_are_shifted_by_tens(void **state)
                          PP_OK);
         assert_int_equal(reading.tens, cases[i].tens);
         struct pp_interior all = pp_interior_all(&box.world);
-        /* A fifth of a division is 1.1 % at the most where scale C is, half of it is
-         * the error; as much for A and B together. */
+        /* A fifth of a division is at most 1.1 % in this part of scale C, and the error
+         * is half of this; the same applies to A and B together. */
         assert_relative(
             reading.component,
             formula(reading.ratio, all.reflectance, 39.0, 5.0, PP_NOMOGRAM_K), 0.012);

@@ -1,4 +1,4 @@
-/* test_pepper_pot_dots.c - dots of equal worth on the true perspective of a window. */
+/* test_pepper_pot_dots.c - dots of equal value on the perspective view of a window. */
 #include "methods/pepper_pot/pepper_pot_dots.h"
 #include "methods/waldram/waldram_scale.h"
 
@@ -15,15 +15,15 @@ static struct pp_pepper_pot *made(struct pp_sky sky, bool glazed, bool upright,
     return pot;
 }
 
-/* Numbers in [0, 1) from a seed, the same everywhere. */
+/* Pseudo-random number in [0, 1), the same on all machines. */
 static double next(uint64_t *seed)
 {
     *seed = *seed * 6364136223846793005u + 1442695040888963407u;
     return (double)(*seed >> 11) * 0x1p-53;
 }
 
-/* Light of a rectangle of the drawing, by midpoints of even steps in a and b: another
- * route than the altitudes and azimuths of the dots. */
+/* Light of a rectangle of the drawing, by the midpoints of equal steps in a and b,
+ * independent of the altitudes and azimuths used for the dots. */
 static double rectangle_share(const struct pp_pepper_pot *pot, double a0, double a1,
                               double b0, double b1)
 {
@@ -69,7 +69,8 @@ static void a_boundless_window_holds_all_dots(void **state)
     }
 }
 
-/* Each dot stands in the middle of as much light as lies below it and to its left. */
+/* Each dot is in the middle of the light below it and to its left that it
+ * represents. */
 static void every_dot_is_where_its_lattice_has_it(void **state)
 {
     (void)state;
@@ -88,9 +89,9 @@ static void every_dot_is_where_its_lattice_has_it(void **state)
     }
 }
 
-/* Counts of 5,000 windows, fewer in short runs, on each of four charts: no bias beyond three standard errors,
- * a spread of no more than half the square root of the outline's length in sides of a
- * dot's cell. */
+/* Counts for 5,000 windows (fewer in short runs) on each of four charts: no bias beyond
+ * three standard errors, and a spread of at most half the square root of the outline's
+ * length, in sides of a dot's cell. */
 static void counts_are_unbiased_and_close(void **state)
 {
     (void)state;
@@ -133,8 +134,8 @@ static void counts_are_unbiased_and_close(void **state)
     }
 }
 
-/* 20,000 windows, fewer in short runs, with a gabled house before them, on the chart without glass, against
- * the exact area of what is left on Waldram's diagram. */
+/* 20,000 windows (fewer in short runs) behind a house with a gable, on the chart
+ * without glass, compared with the exact visible area on Waldram's diagram. */
 static void counts_with_obstructions_are_unbiased_and_close(void **state)
 {
     (void)state;
@@ -168,7 +169,8 @@ static void counts_with_obstructions_are_unbiased_and_close(void **state)
     }
     double mean = sum / windows, rms = sqrt(sum2 / windows);
     assert_true(fabs(mean) <= 3.0 * rms / sqrt(windows));
-    /* Outlines are 20 to 60 sides of a dot's cell long: half the root of 20. */
+    /* Outlines have the length of 20 to 60 sides of a dot's cell: half the square root
+     * of 20. */
     assert_true(rms <= 0.5 * sqrt(20.0));
     assert_true(most < 12.0);
     pp_pepper_pot_dots_destroy(pot);
@@ -198,7 +200,7 @@ static void other_skies_and_senseless_dots_are_refused(void **state)
     assert_int_equal(
         pp_pepper_pot_dots_create(&pot, &overcast, true, false, 0.0, NAN, &err),
         PP_BAD_INPUT);
-    /* A receiver that faces away from the window sees none of it. */
+    /* A receiver that faces away from the window receives nothing from it. */
     pot = made(overcast, true, true, PP_PI, 0.001);
     assert_int_equal(pot->count, 0);
     pp_pepper_pot_dots_destroy(pot);

@@ -6,7 +6,7 @@
 #include "tests/lib/dice.h"
 #include "tests/lib/room_of.h"
 
-/* An opening at a slope (0 level), which faces a bearing. */
+/* Axes of an opening with a slope (0: horizontal) and a bearing. */
 static struct pp_window_axes axes_at(double slope_rad, double bearing_rad)
 {
     struct pp_vec3 level = pp_vec(sin(bearing_rad), cos(bearing_rad), 0.0);
@@ -25,7 +25,7 @@ static struct pp_sky clear_sky(void)
     return sky;
 }
 
-/* Light of a rectangle of the drawing, by the midpoints of a grid of it. */
+/* Light of a rectangle of the drawing, by the midpoints of a grid. */
 static double by_grid(const struct pp_sky *sky, const struct pp_glass *glass,
                       const struct pp_window_axes *axes, struct pp_vec3 normal,
                       const double at[4])
@@ -58,7 +58,7 @@ static const struct {
              {true, 90.0, 100.0, {0.6, 0, 0.8}}};
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
-/* Counts of 800 rectangles on each diagram: no bias beyond three standard errors, and
+/* Counts for 800 rectangles on each diagram: no bias beyond three standard errors, and
  * a spread of 1.0 to 1.5 dots. */
 static void counts_are_unbiased_and_close(void **state)
 {
@@ -97,8 +97,9 @@ static void counts_are_unbiased_and_close(void **state)
     }
 }
 
-/* Without glass a boundless level opening shows all of any sky, a vertical one half of the
- * uniform; the published diagram has 316 dots with glass, level glass 849. */
+/* Without glass an infinite horizontal opening shows 100 % of any sky, a vertical one
+ * 50 % of the uniform sky. With glass the published diagram has 316 dots, and that for
+ * horizontal glass 849. */
 static void boundless_openings_hold_all_dots(void **state)
 {
     (void)state;
@@ -127,8 +128,8 @@ static void boundless_openings_hold_all_dots(void **state)
     }
 }
 
-/* In a room with a window and a roof window, under a clear sky, up and aslant: near to
- * `exact`, by a few dots. */
+/* A room with a window and a roof window under a clear sky, receivers facing up and
+ * tilted: counts differ from `exact` by a few dots. */
 static void rooms_under_a_clear_sky_are_near_to_exact(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_protractor.c - `protractor`: readings step by step, and their errors against the
- * exact direct component. */
+/* test_protractor.c - `protractor`: its readings step by step, and their errors
+ * compared with the exact direct component. */
 #include <stdlib.h>
 
 #include "methods/method.h"
@@ -21,7 +21,7 @@ static struct pp_receiver facing_up(double x, double y, double z)
     return (struct pp_receiver){{x, y, z}, {0.0, 0.0, 1.0}, 0};
 }
 
-/* Result of the method for the world's first opening, its figures as read. */
+/* Result of the method for the first opening of the world, with the values as read. */
 static struct pp_part read_with(const void *tools, const struct pp_method *method,
                                 const struct pp_world *world,
                                 const struct pp_outside_light *light, double x,
@@ -39,7 +39,7 @@ static struct pp_part read_with(const void *tools, const struct pp_method *metho
     return part;
 }
 
-/* The same by itself. */
+/* As above, with tools that are created for this reading. */
 static struct pp_part read_first(const struct pp_method *method,
                                  const struct pp_world *world,
                                  const struct pp_outside_light *light, double x,
@@ -63,8 +63,8 @@ static double step_of(const struct pp_steps *steps, const char *words, int which
     return NAN;
 }
 
-/* A window in the south wall of a hall, its head and sill over the point, and x of its
- * jambs from the point, 3 m away; the point stands at (50, 3, 0.85). */
+/* A window in the south wall of a hall: head and sill above the point, and x of its
+ * jambs relative to the point, which is 3 m away at (50, 3, 0.85). */
 static struct pp_world *hall(struct pp_outside_light *light, const char *sky,
                              const char *glazing, double left, double right,
                              double sill, double head, const char *more)
@@ -79,8 +79,8 @@ static struct pp_world *hall(struct pp_outside_light *light, const char *sky,
     return pp_test_lit_world(light, xml);
 }
 
-/* Protractors 1, 2, 9, 10 through the method: per cent at 10 to 80 degrees, the printed
- * figures; and the primary scale itself to 1e-6. */
+/* Protractors 1, 2, 9 and 10 as used by the method: per cent at 10 to 80 degrees
+ * compared with the printed values, and with the primary scale itself to 1e-6. */
 static void an_endless_window_has_the_reading_of_the_primary_scale(void **state)
 {
     (void)state;
@@ -130,8 +130,9 @@ static void an_endless_window_has_the_reading_of_the_primary_scale(void **state)
         }
 }
 
-/* Sky components of rectangles with a jamb on the normal and the sill at the point's
- * height have closed forms; a reading is as near as one average altitude allows. */
+/* Sky components of rectangles with one jamb on the normal and the sill at the height
+ * of the point have closed forms. The reading differs because one average altitude
+ * represents the window. */
 static void rectangles_with_a_closed_form(void **state)
 {
     (void)state;
@@ -158,8 +159,8 @@ static void rectangles_with_a_closed_form(void **state)
         }
 }
 
-/* Windows of a width that is so many times their height, the point anywhere before them
- * within their width and a height to each side, one to four heights away. */
+/* Windows with a given ratio of width to height. The point is anywhere in front of
+ * them, up to one height beyond each jamb, one to four heights away. */
 static struct pp_world *window_of_shape(struct pp_outside_light *light, uint64_t *seed,
                                         double shape, const char *sky,
                                         const char *glazing, double *point)
@@ -179,8 +180,8 @@ static struct pp_world *window_of_shape(struct pp_outside_light *light, uint64_t
     return pp_test_lit_world(light, xml);
 }
 
-/* A roof that rises by the slope towards +y, over a room 5 m by 5 m, with a rectangle
- * of glass in it, 1.7 m high and 2.9 m wide. */
+/* A roof that rises towards +y, over a room 5 m by 5 m, with a rectangular window 1.7 m
+ * high and 2.9 m wide. */
 static struct pp_world *roof(struct pp_outside_light *light, double slope_deg,
                              const char *sky, const char *glazing)
 {
@@ -222,7 +223,7 @@ static struct pp_world *roof(struct pp_outside_light *light, double slope_deg,
 
 enum { WINDOWS = 2000 };
 
-/* Relative distances of readings from `exact`. */
+/* Relative deviations of readings from `exact`. */
 struct distances {
     void *tools;
     int count;
@@ -254,8 +255,8 @@ static int ascending(const void *a, const void *b)
     return (p > q) - (p < q);
 }
 
-/* Half the last digit that the manual prints; of fewer windows three standard errors more,
- * of which that of a 95th percentile is the larger. */
+/* Tolerance: half of the last digit printed in the manual. With fewer windows, three
+ * standard errors more; that of the 95th percentile is larger. */
 static void assert_distances(struct distances *distances, double mean_expected,
                              double p95_expected)
 {
@@ -318,8 +319,9 @@ static void readings_of_finite_windows_are_as_far_from_exact_as_the_manual_says(
         }
 }
 
-/* A window 3 m wide, 0.9 m of it left of the normal, 3 m away, sill 0.6 and head 2.4 m
- * above the point: each step, and the sky component beside the integral (3.424 %). */
+/* A window 3 m wide, 0.9 m of it to the left of the normal, 3 m away, sill 0.6 m and
+ * head 2.4 m above the point: each step, and the sky component compared with the
+ * integral (3.424 %). */
 static void worked_use_step_by_step(void **state)
 {
     (void)state;
@@ -343,11 +345,11 @@ static void worked_use_step_by_step(void **state)
     double average = step_of(&steps, "mean altitude", 0);
     assert_near(average, (head + sill) / 2.0, 1e-9);
 
-    /* Seen from inside, right is towards the plan's smaller x. */
+    /* Seen from inside, x of the plan decreases to the right. */
     double jamb[2] = {-atan(0.3), atan(0.7)};
     for (int i = 0; i < 2; i++) {
         assert_near(step_of(&steps, "from the normal", i), jamb[i], 1e-9);
-        /* The average of 25 degrees lies midway between two semicircles. */
+        /* The average altitude of 25 degrees is midway between two semicircles. */
         double cf[2];
         for (int k = 0; k < 2; k++)
             cf[k] = pp_protractor_scale_auxiliary(
@@ -364,7 +366,7 @@ static void worked_use_step_by_step(void **state)
                     - step_of(&steps, "auxiliary scale", 0),
                 1e-12);
     assert_near(part.sky, initial * factor, 1e-12);
-    /* one average altitude reads 2 % over here */
+    /* With one average altitude this reading is 2 % too high. */
     assert_near(part.sky, 0.03424, 0.0007);
     pp_steps_clear(&steps);
     pp_world_destroy(world);
@@ -396,7 +398,8 @@ static void correction_factors_are_read_between_semicircles(void **state)
                             row[r].cf[i], row[r].tolerance);
 }
 
-/* All ten protractors, both scales against adaptive quadrature, also between their marks. */
+/* All ten protractors, both scales compared with adaptive quadrature, also between
+ * their marks. */
 static void dials_agree_with_quadrature(void **state)
 {
     (void)state;
@@ -423,7 +426,8 @@ static void dials_agree_with_quadrature(void **state)
     }
 }
 
-/* The closed form of a rectangle overhead, A = B = 1 with one corner over the point. */
+/* The closed form of a rectangle overhead, A = B = 1, with one corner above the
+ * point. */
 static void horizontal_openings_with_a_closed_form(void **state)
 {
     (void)state;
@@ -447,15 +451,15 @@ static void horizontal_openings_with_a_closed_form(void **state)
             100.0
             * read_first(&pp_method_protractor, world, &light, 3.0, 3.0, 0.85, NULL)
                   .sky;
-        /* one average altitude for all from the zenith to the far edge */
+        /* one average altitude for the whole range from the zenith to the far edge */
         assert_relative(read, rooflight[i].per_cent, 0.055);
         pp_world_destroy(world);
     }
 }
 
-/* Under protractor 10 the plane of the aperture does not matter: of the same four
- * corners' sky, seen upright, sloping and level. An endless opening in any plane is
- * exact. */
+/* With protractor 10 the plane of the opening does not matter: the sky between the same
+ * four corners, in a vertical, a sloping and a horizontal plane. An infinitely long
+ * opening in any plane is exact. */
 static void an_endless_sloping_strip_is_exact(void **state)
 {
     (void)state;
@@ -478,8 +482,9 @@ static void an_endless_sloping_strip_is_exact(void **state)
     }
 }
 
-/* Halves on both sides of the normal add up to the whole, and a window beside the point
- * is the difference of two: the same average altitude serves all. */
+/* The halves on both sides of the normal add up to the whole window, and a window to
+ * one side of the point is the difference of two readings, if all use the same average
+ * altitude. */
 static void jambs_on_one_side_are_subtracted(void **state)
 {
     (void)state;
@@ -497,8 +502,8 @@ static void jambs_on_one_side_are_subtracted(void **state)
     assert_true(sky[0] > 0.0 && sky[1] > 0.0);
 }
 
-/* A skyline cuts the window like a sill, and is read up to its edge as if it were sky:
- * 0.2 of that under the overcast sky, 0.1 under the uniform one. */
+/* A skyline raises the lower edge of the visible sky like a sill. The reading below its
+ * edge is multiplied by 0.2 under the overcast sky and 0.1 under the uniform sky. */
 static void obstructions_are_read_as_sky_and_dimmed(void **state)
 {
     (void)state;
@@ -526,8 +531,9 @@ static void obstructions_are_read_as_sky_and_dimmed(void **state)
     }
 }
 
-/* A block before a rooflight: sky less what it hides. Seen from near it tapers, and a
- * rectangle of equal area is out by a tenth at one point, but not on average. */
+/* A block in front of a rooflight: sky minus the hidden part. Seen from nearby, the
+ * block tapers; a rectangle of equal area has an error of a tenth at one point, but not
+ * on average. */
 static void obstructions_before_a_roof_window(void **state)
 {
     (void)state;
@@ -558,8 +564,9 @@ static void obstructions_before_a_roof_window(void **state)
     pp_world_destroy(world);
 }
 
-/* From under the head, beside the window, with the sill below the point, close to the
- * pane: never negative, never more than the sky, near exact from half a metre on. */
+/* Points below the head, beside the window, with the sill below the point, and close to
+ * the pane: the reading is never negative, never more than the sky, and close to
+ * `exact` from half a metre on. */
 static void odd_places_before_a_window(void **state)
 {
     (void)state;
@@ -587,7 +594,7 @@ static void odd_places_before_a_window(void **state)
                                         4.0, behind ? -0.7 : 0.0, 0.1, NULL);
         assert_near(part.sky + part.external, 0.0, 0.0);
     }
-    /* head below the point: nothing is above the horizon */
+    /* The head is below the point: nothing is above the horizon. */
     struct pp_part over =
         read_with(tools, &pp_method_protractor, world, &light, 4.0, 2.0, 2.8, NULL);
     assert_near(over.sky + over.external, 0.0, 0.0);

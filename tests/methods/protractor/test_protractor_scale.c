@@ -1,4 +1,5 @@
-/* test_protractor_scale.c - the scales of the ten protractors, and of any other. */
+/* test_protractor_scale.c - the scales of the ten protractors, and of other
+ * protractors. */
 #include "methods/protractor/protractor_scale.h"
 
 #include "tests/lib/near.h"
@@ -11,8 +12,8 @@ static struct pp_protractor published(int number)
     return protractor;
 }
 
-/* Per cent at 10 to 90 degrees, three printed decimals of an independent integration;
- * the glass there has the same normal transmittance of 0.900. */
+/* Per cent at 10 to 90 degrees, three printed decimals of an independent integration
+ * for glass with the same normal transmittance of 0.900. */
 static void primary_scales_of_vertical_windows(void **state)
 {
     (void)state;
@@ -36,9 +37,9 @@ static void primary_scales_of_vertical_windows(void **state)
     }
 }
 
-/* Light of a horizontal receiver through an endless pane overhead, or through one at any
- * slope, does not depend on which way the section is walked through: by quadrature in
- * altitude and azimuth instead of along strips. */
+/* Light on a horizontal receiver through an infinite pane overhead, or at any slope,
+ * does not depend on the direction of the section. Quadrature in altitude and azimuth
+ * instead of along strips. */
 static double all_through_glass(const struct pp_protractor *protractor)
 {
     enum { STEPS = 700 };
@@ -114,9 +115,8 @@ static void an_endless_window_has_half_its_light_on_each_side(void **state)
     }
 }
 
-/* Two routes to the unglazed scales: the closed form, and the quadrature that serves
- * glass, made to do without by glass that takes nothing. ISO type 5 is the uniform sky.
- */
+/* Two ways to calculate the unglazed scales: the closed form, and the quadrature for
+ * glass, with glass that transmits all light. ISO type 5 is the uniform sky. */
 static void quadrature_agrees_with_the_closed_form(void **state)
 {
     (void)state;

@@ -4,7 +4,7 @@
 
 #include "tests/lib/opened.h"
 
-/* Sky component at (3.1, 1.9, 0.85) below a ceiling at 2.85 m with that opening. */
+/* Sky component at (3.1, 1.9, 0.85) below a ceiling at 2.85 m with this opening. */
 static double sky_under(const char *opening)
 {
     char xml[600];
@@ -21,9 +21,9 @@ static double sky_under(const char *opening)
     return sky;
 }
 
-/* A triangle of glass is read as the rectangle of equal area with its middle and its
- * proportions: of 3 m by 2 m, halved, 3 by 2 over the root of 2. A diamond of the same
- * extent, too. */
+/* A triangular opening is read as the rectangle with the same area, centre and
+ * proportions: for a triangle of 3 m by 2 m, 3 by 2 divided by the square root of 2.
+ * The same applies to a diamond of this size. */
 static void a_triangle_is_read_as_the_rectangle_of_its_area(void **state)
 {
     (void)state;

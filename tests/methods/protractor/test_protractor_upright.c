@@ -1,4 +1,4 @@
-/* test_protractor_upright.c - protractors of receivers that stand. */
+/* test_protractor_upright.c - protractors for vertical receivers. */
 #include "methods/protractor/protractor_dial.h"
 #include "methods/method.h"
 #include "model/light/graded_sky.h"
@@ -17,8 +17,8 @@ static struct pp_protractor of(enum pp_protractor_receiver receiver, bool glazed
                                   .receiver = receiver};
 }
 
-/* Without glass: what an endless skyline of gamma hides of a vertical plane's light,
- * 3/14 sin gamma + 4/(7 pi) sin^2 gamma; all of it is 39.62 %. */
+/* Without glass: the light on a vertical plane that an infinitely long skyline at the
+ * altitude gamma hides, 3/14 sin gamma + 4/(7 pi) sin^2 gamma; in total 39.62 %. */
 static void straight_ahead_reads_what_a_skyline_hides(void **state)
 {
     (void)state;
@@ -32,8 +32,9 @@ static void straight_ahead_reads_what_a_skyline_hides(void **state)
     assert_near(pp_protractor_dial_share(&dial, PP_PI / 2.0), 0.396177, 2e-6);
 }
 
-/* A receiver square to the window sees the half of the sky before it on one side: a half
- * of 39.62 %, as print counts one side, doubled: 39.62 %. Of a uniform sky 1/4 each. */
+/* A receiver perpendicular to the window receives light from one side only, half of
+ * 39.62 %. Printed scales count one side, so the value is doubled: 39.62 %. Under a
+ * uniform sky each side has 1/4. */
 static void aside_reads_half_the_light_on_each_side(void **state)
 {
     (void)state;
@@ -48,8 +49,9 @@ static void aside_reads_half_the_light_on_each_side(void **state)
     assert_near(pp_protractor_dial_share(&dial, PP_PI / 2.0), 0.5, 2e-6);
 }
 
-/* Along a strip at gamma the density is L cos gamma cos^2 theta straight ahead, L sin theta
- * cos theta aside: the auxiliary scales against sums over theta. */
+/* Along a strip at gamma the density is L cos gamma cos^2 theta for receivers facing
+ * the window, and L sin theta cos theta for receivers at right angles to it. The
+ * auxiliary scales compared with sums over theta. */
 static void auxiliary_scales_are_shares_of_the_strip(void **state)
 {
     (void)state;
@@ -96,8 +98,9 @@ static double at(const struct pp_world *world, const struct pp_outside_light *li
     return part.sky;
 }
 
-/* 300 windows, glazed or not, some before a skyline, and receivers that stand anywhere and
- * face any way: no bias of 1 %, spread below 3 %, where one average altitude stands for the window. */
+/* 300 windows, glazed or unglazed, some behind a skyline, and vertical receivers at any
+ * position and with any bearing: the bias is below 1 % and the spread below 3 %,
+ * because one average altitude represents the window. */
 static void standing_points_are_near_to_exact(void **state)
 {
     (void)state;
@@ -144,7 +147,8 @@ static void standing_points_are_near_to_exact(void **state)
     assert_true(sqrt(squares / count) < 0.03);
 }
 
-/* Facing away, or with the window all behind the receiver's plane, there is nothing. */
+/* A receiver that faces away, or has the whole window behind its plane, receives
+ * nothing. */
 static void what_lies_behind_the_receiver_does_not_count(void **state)
 {
     (void)state;

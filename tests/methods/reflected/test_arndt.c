@@ -3,7 +3,8 @@
 
 #include "tests/methods/box_method.h"
 
-/* By hand: what enters, reflected once by R and then without end. */
+/* Calculated by hand: the entering light, reflected by R once and then infinitely
+ * often. */
 static void window_is_the_sum_of_all_reflections_by_the_mean(void **state)
 {
     (void)state;
@@ -17,8 +18,8 @@ static void window_is_the_sum_of_all_reflections_by_the_mean(void **state)
     assert_relative(box_method_value(&pp_method_arndt, &box, 0), sum / s.A, 1e-12);
 }
 
-/* Where all is of one reflectance, it makes no difference on what the light falls first,
- * but for the opening, which is too small to be noticed here. */
+/* If all surfaces have the same reflectance, it does not matter on which the light
+ * falls first. The opening has another reflectance, but is too small to matter. */
 static void room_of_one_colour_is_that_of_the_sphere(void **state)
 {
     (void)state;
@@ -29,8 +30,8 @@ static void room_of_one_colour_is_that_of_the_sphere(void **state)
                     box_method_value(&pp_method_sphere, &box, 0), 1e-7);
 }
 
-/* A floor of 0.1 under a ceiling of 0.9 is what the light meets first: the mean of 0.5 is
- * too much. */
+/* Light first falls on the floor of 0.1, below a ceiling of 0.9, so the mean
+ * reflectance of 0.5 is too high. */
 static void dark_floor_is_overrated(void **state)
 {
     (void)state;
@@ -53,7 +54,7 @@ static void diffusing_pane_is_as_clear_glass_of_its_transmittance(void **state)
                     1e-12);
 }
 
-/* Level glass has the whole sky before it, and no ground. */
+/* Horizontal glass receives light from the whole sky and none from the ground. */
 static void rooflight_lets_the_whole_sky_in(void **state)
 {
     (void)state;

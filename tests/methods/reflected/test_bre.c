@@ -24,14 +24,14 @@ static void worked_room_has_1_3289_per_cent(void **state)
     (void)state;
     struct box_room box;
     build_worked_room(&box);
-    assert_near(100.0 * bre_of(&box, 0), 1.3289, 5e-5); /* as printed */
+    assert_near(100.0 * bre_of(&box, 0), 1.3289, 5e-5); /* printed value */
 }
 
-/* The published minimum table, of which the average is 1.8, 1.4, 1.3 or 1.2 times for
- * walls of 0.2, 0.4, 0.6 or 0.8, in the room that it fits best: 20 x 20 x 10 ft, sill
- * at 3 ft, ceiling 0.7, obstruction 20 degrees. Here the row of a window of 20 % of the
- * floor. Printed to 0.1 per cent from values that were rounded before; over all of the
- * table the formula keeps within 0.2. */
+/* Compared with the published table of minima: the average is 1.8, 1.4, 1.3 or 1.2
+ * times the minimum for walls of 0.2, 0.4, 0.6 or 0.8. The room that fits the table
+ * best is 20 x 20 x 10 ft, sill at 3 ft, ceiling 0.7, obstruction 20 degrees. This is
+ * the row for a window area of 20 % of the floor. The table is printed to 0.1 per cent,
+ * from values already rounded; over the whole table the formula is within 0.2. */
 static void near_the_printed_table_of_minimum_values(void **state)
 {
     (void)state;
@@ -66,8 +66,8 @@ static void factor_is_as_printed_at_every_angle(void **state)
     assert_near(pp_obstruction_factor(-5.0 * PP_RAD), 0.39, 0.0);
 }
 
-/* C = VSC + 0.1 (39.6 - VSC): what the obstruction takes it gives back at a tenth. The
- * printed factors, whole per cents, keep within 1.3 of that. */
+/* C = VSC + 0.1 (39.6 - VSC): the obstruction has a tenth of the luminance of the
+ * hidden sky. The printed factors, in whole per cent, are within 1.3 of this value. */
 static void factor_is_the_sky_and_a_tenth_of_what_is_hidden(void **state)
 {
     (void)state;
@@ -91,12 +91,12 @@ static void light_falls_as_the_skyline_rises(void **state)
         assert_true(now < last);
         last = now;
     }
-    /* nothing but the ground and the skyline's own light, 5 %, is left */
+    /* Only light from the ground and from the skyline itself, 5 %, is left. */
     box_room_skyline(&box, 85.0 * PP_RAD, 1.65, INFINITY);
     assert_near(bre_of(&box, 0), last, 0.0);
 }
 
-/* A near skyline is seen higher from a low window: its angle is each opening's own. */
+/* A near skyline appears higher from a low window: each opening has its own angle. */
 static void a_near_skyline_is_steeper_from_lower_down(void **state)
 {
     (void)state;
@@ -131,8 +131,9 @@ static double angle_in(const char *outside)
     return angle_rad;
 }
 
-/* 4 km wide, 20 m off, its roof 8 m above the middle of the window: but for its ends,
- * under 1e-2 of the azimuths at a grazing angle, it is an endless skyline. */
+/* A block 4 km wide, 20 m away, whose roof is 8 m above the middle of the window.
+ * Except for its ends, less than 1e-2 of the azimuths at a grazing angle, it is an
+ * infinitely long skyline. */
 static void an_endless_block_has_its_own_angle(void **state)
 {
     (void)state;
@@ -150,7 +151,7 @@ static void a_narrow_block_counts_less_and_two_count_more_than_one(void **state)
         angle_in(TOWER("-2") "<skyline wall=\"south\" angle=\"10\"/>");
     assert_true(0.0 < one && one < two && two < atan(13.5 / 20.0));
     assert_true(with_skyline > one && with_skyline > 10.0 * PP_RAD);
-    /* behind the room it hides nothing */
+    /* A block behind the room hides nothing. */
     assert_near(angle_in("<block x=\"-2\" y=\"30\" width=\"8\" depth=\"10\" "
                          "height=\"15\"/>"),
                 0.0, 0.0);

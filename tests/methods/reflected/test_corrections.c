@@ -1,5 +1,5 @@
-/* test_corrections.c - dirt, frames, curtains and decorations: their tables, the room
- * file, and that each is applied once, by hand and traced. */
+/* test_corrections.c - dirt, frames, curtains and decorations: their tables and the
+ * room file; each is applied once in hand methods and in the simulation. */
 #include "methods/evaluate.h"
 #include "methods/method.h"
 #include "model/room/corrections.h"
@@ -13,8 +13,8 @@ static void dirt_goes_by_place_work_and_slope(void **state)
 {
     (void)state;
     static const double slopes_deg[3] = {90.0, 45.0, 0.0};
-    /* published: clean and dirty location, clean and dirty work, vertical glass; 0.1
-     * less for sloping, 0.2 less for horizontal glass */
+    /* Published values: clean and dirty location, clean and dirty work, vertical glass;
+     * 0.1 less for sloping glass, 0.2 less for horizontal glass. */
     static const struct {
         enum pp_surroundings place;
         double clean, dirty;
@@ -45,8 +45,9 @@ static void dirt_goes_by_place_work_and_slope(void **state)
         0.7, 0.0);
 }
 
-/* 4 % is lost in the country and 8 % in towns, twice that by sloping glass and three
- * times by level glass; the edition says nothing of industry and dirty work. */
+/* The loss is 4 % in the country and 8 % in towns, twice that for sloping glass and
+ * three times for horizontal glass. This edition has no values for industrial areas or
+ * dirty work. */
 static void cleaner_air_leaves_more(void **state)
 {
     (void)state;
@@ -80,7 +81,7 @@ static struct pp_world *room(struct pp_outside_light *light, const char *site,
     return pp_test_lit_world(light, xml);
 }
 
-/* As in the conventions where nothing is said of the work. */
+/* The convention if the kind of work is not given. */
 static void work_is_clean_but_in_industrial_surroundings(void **state)
 {
     (void)state;
@@ -157,9 +158,9 @@ static struct pp_report evaluate(const struct pp_world *world,
     return report;
 }
 
-/* Everything on: dirt 0.61, frame 0.73, curtains 0.83, decorations 0.87. All of it
- * bears on each component once, the decorations on the internally reflected one only.
- */
+/* All corrections: dirt 0.61, frame 0.73, curtains 0.83, decorations 0.87. Each is
+ * applied to each component once, decorations only to the internally reflected
+ * component. */
 static void each_correction_counts_once_in_every_method(void **state)
 {
     (void)state;
@@ -178,10 +179,10 @@ static void each_correction_counts_once_in_every_method(void **state)
         const struct pp_column *a = before.columns + i, *b = after.columns + i;
         const struct pp_method *method = pp_method_find(a->name);
         if (!method || method == pp_method_find("bre-table"))
-            continue; /* a pair; in the table the frame is no factor
-                       */
+            continue; /* a pair; the table does not treat the frame as a factor */
         double factor = method->gives == PP_GIVES_INTERNAL ? 0.87 * glass : glass;
-        /* a straight-edge reads several scales, each to a fifth of 8 % or less */
+        /* Several scales are read with a straight-edge, each to a fifth of 8 % or
+         * less. */
         double tolerance = method == pp_method_find("nomogram") ? 0.04 : 1e-13;
         if (a->points && !a->points[0].why) {
             assert_relative(b->points[0].value, factor * a->points[0].value, tolerance);
@@ -217,7 +218,7 @@ static void trace(const struct pp_world *world, const struct pp_outside_light *l
     free(traced);
 }
 
-/* The same paths, read with the allowance: equal but for rounding. */
+/* The same paths with the correction applied afterwards: equal except for rounding. */
 static void decorations_bear_on_the_traced_reflected_component_only(void **state)
 {
     (void)state;
@@ -238,9 +239,9 @@ static void decorations_bear_on_the_traced_reflected_component_only(void **state
     pp_world_destroy(world);
 }
 
-/* Dirt and curtains lie on the light's way in: of what comes straight in they leave
- * their share of each path, of what is reflected their share but for the little that
- * has gone out and come back. */
+/* Dirt and curtains reduce the entering light: direct light by their full factor,
+ * reflected light by almost the same factor, because a little light leaves and
+ * returns. */
 static void dirt_and_curtains_count_once_in_the_traced_components(void **state)
 {
     (void)state;

@@ -1,12 +1,13 @@
-/* test_dresler.c - the interreflection of two cavities, against light followed from part
- * to part, reflection by reflection. */
+/* test_dresler.c - interreflection of two cavities, compared with light followed from
+ * part to part, reflection by reflection. */
 #include "methods/reflected/interior.h"
 #include "methods/method.h"
 
 #include "tests/methods/box_method.h"
 
-/* The level plane at 1.35 m parts the awkward room: what one part reflects meets the other
- * by the share S/A of its own area, itself by the rest. Openings count with 0.1. */
+/* The horizontal plane at 1.35 m divides the test room into two parts. The share S/A of
+ * the light that a part reflects reaches the other part; the rest returns to the same
+ * part. Openings have a reflectance of 0.1. */
 struct two_parts {
     double S, A[2], rho[2]; /* 0 lower, 1 upper */
 };
@@ -20,8 +21,9 @@ static struct two_parts awkward_parts(const struct box_method_symbols *s)
     return p;
 }
 
-/* Light that reaches the plane from above, for first light on the lower and the upper
- * part (m2 of open sky), over the plane's area; *absorbed: the sum of all of it. */
+/* Light that reaches the plane from above, divided by the area of the plane. lower,
+ * upper: light that first falls on these parts (m2 of open sky). *absorbed: the sum of
+ * all absorbed light. */
 static double followed(const struct two_parts *p, double lower, double upper,
                        double *absorbed)
 {
@@ -51,7 +53,7 @@ static void window_is_light_followed_from_part_to_part(void **state)
     struct two_parts parts = awkward_parts(&s);
     double sky = s.tau * s.Ag * s.C, ground = s.tau * s.Ag * s.rho_g / 2, absorbed;
     double expected = followed(&parts, sky, ground, &absorbed);
-    assert_relative(absorbed, sky + ground, 1e-12); /* none is lost or made */
+    assert_relative(absorbed, sky + ground, 1e-12); /* no light is lost or gained */
     assert_relative(box_method_value(&pp_method_dresler, &box, 0), expected, 1e-12);
 }
 
@@ -67,15 +69,16 @@ static void diffusing_window_lights_both_parts_alike(void **state)
                     followed(&parts, half, half, &absorbed), 1e-12);
 }
 
-/* A black upper part sends nothing down; with a black lower part, what comes down is what
- * the ground's light makes of the upper. */
+/* A black upper part reflects nothing downwards. If the lower part is black, only light
+ * from the ground comes down, after reflection by the upper part. */
 static void black_parts_reflect_nothing(void **state)
 {
     (void)state;
     struct box_room box;
     box_room_build(&box, 3.3, 4.9, 2.6, 0.5, 0.0, 0.0);
     box_room_south(&box, 0.7, 0.9, 1.9, 1.1)->glass = pp_glass_none();
-    double small = 1.9 * 0.55 * 0.1 / (3.3 * 4.9); /* of the opening's own 0.1 */
+    double small =
+        1.9 * 0.55 * 0.1 / (3.3 * 4.9); /* 0.1 is the reflectance of the opening */
     double black = box_method_value(&pp_method_dresler, &box, 0);
     assert_near(black, 0.0, small * 1.9 * 1.1 / (3.3 * 4.9));
     box_room_build(&box, 3.3, 4.9, 2.6, 0.0, 0.0, 0.7);
@@ -87,7 +90,8 @@ static void black_parts_reflect_nothing(void **state)
                     1e-6 * 0.1 * k / ceiling, 1e-5);
 }
 
-/* The section by the sum of areas seen from above, of a box and above it. */
+/* The area of the horizontal section is the sum of the areas seen from above, for a
+ * box, and zero above it. */
 static void section_is_the_plan_of_the_room(void **state)
 {
     (void)state;

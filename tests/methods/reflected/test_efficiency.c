@@ -1,5 +1,5 @@
-/* test_efficiency.c - the efficiency method: what falls on the window, what of it comes to
- * the plane straight, and by reflection. */
+/* test_efficiency.c - the efficiency method: light on the window, and its shares that
+ * reach the plane directly and by reflection. */
 #include "methods/reflected/point_factor.h"
 #include "methods/reflected/room_zones.h"
 #include "methods/average/plane_light.h"
@@ -28,8 +28,9 @@ static struct pp_part worked(struct box_room *box)
     return part;
 }
 
-/* The recalled form against its derivation: the sky above an endless skyline, VSC, and
- * 0.15 of what the skyline hides. Its constants have four digits. */
+/* The published form, quoted from memory, compared with its derivation: the sky above
+ * an infinitely long skyline, VSC, and 0.15 of the hidden sky. Its constants have four
+ * digits. */
 static void light_on_the_window_is_vsc_and_15_per_cent_of_what_is_hidden(void **state)
 {
     (void)state;
@@ -47,8 +48,8 @@ static void light_on_the_window_is_vsc_and_15_per_cent_of_what_is_hidden(void **
     }
 }
 
-/* The sky's light through a point to the plane is, turned round, the sky component at
- * that point of a rectangle above it: by quadrature over the plane. */
+/* The skylight that passes a point and reaches the plane equals the sky component, at
+ * that point, of the plane mirrored above the point; by quadrature over the plane. */
 static void direct_share_is_the_light_followed_to_the_plane(void **state)
 {
     (void)state;
@@ -58,7 +59,7 @@ static void direct_share_is_the_light_followed_to_the_plane(void **state)
     struct pp_region plane = {1, &ring};
     for (double slope = 0.0; slope < 91.0; slope += 22.5) {
         struct pp_vec3 from = pp_vec(0.4, 0.1, 1.9);
-        struct pp_vec3 normal = /* to the north and down */
+        struct pp_vec3 normal = /* facing north and down */
             pp_vec(0.0, sin(slope * PP_RAD), -cos(slope * PP_RAD));
         enum { N = 900 };
         double sum = 0.0, even = 0.0;
@@ -78,8 +79,9 @@ static void direct_share_is_the_light_followed_to_the_plane(void **state)
     }
 }
 
-/* A pin-hole foot far below the glass shows the plane by its own small light alone: all
- * of it on the plane, or none where the plane lies aside. A wide one is no limit. */
+/* If the foot of a well is very small and far below the glass, it shows the plane only
+ * a small part of the light: all of this light falls on the plane, or none if the plane
+ * is to one side. A wide foot does not limit the light. */
 static void light_through_a_well_falls_where_the_foot_lets_it(void **state)
 {
     (void)state;
@@ -96,15 +98,15 @@ static void light_through_a_well_falls_where_the_foot_lets_it(void **state)
     struct pp_ring ring = {4, aside};
     struct pp_region east = {1, &ring};
     assert_near(pp_point_factor_through(glass, foot, &east, z, &sky), 0.0, 1e-12);
-    /* half of the plane straight below has half, by symmetry */
+    /* by symmetry, half of the plane directly below receives half */
     double half[4][2] = {{1.5, 0}, {4, 0}, {4, 3}, {1.5, 3}};
     ring.xy = half;
     assert_near(pp_point_factor_through(glass, foot, &east, z, &sky), 0.5, 1e-9);
     pp_world_destroy(world);
 }
 
-/* The light of one zone after the other, 3,000 reflections, in a box of 4.1 x 6.3 x 3.2 m,
- * against the formulae; and none is lost. */
+/* Light followed from zone to zone for 3,000 reflections in a box of 4.1 x 6.3 x 3.2 m,
+ * compared with the formulae; no light is lost. */
 static void efficiency_is_the_light_followed_from_zone_to_zone(void **state)
 {
     (void)state;
@@ -150,9 +152,9 @@ static void efficiency_is_the_light_followed_from_zone_to_zone(void **state)
                     1e-12);
 }
 
-/* Without any reflection the average is the sky's light that falls on the plane straight:
- * an unglazed slit of 0.2 x 0.2 m against the integral of `exact` over the plane, whose
- * middle stands for its light to (0.1/1.5)^2. */
+/* Without reflection the average is the skylight that falls directly on the plane: an
+ * unglazed slit of 0.2 x 0.2 m compared with the integral of `exact` over the plane.
+ * The error of using the centre of the slit is (0.1/1.5)^2. */
 static void black_room_has_the_direct_light_alone(void **state)
 {
     (void)state;
@@ -174,12 +176,13 @@ static void black_room_has_the_direct_light_alone(void **state)
     assert_int_equal(
         pp_plane_light_direct(mean, beams, &light, slit, &slit->glass, NULL), PP_OK);
     pp_beams_destroy(beams);
-    /* the plate in the wall reflects 0.1 and is a third of a per cent of the walls */
+    /* The plate in the wall reflects 0.1 and is a third of a per cent of the walls. */
     assert_relative(part.value, mean[0], 0.006);
     pp_world_destroy(world);
 }
 
-/* All white, the plane gets all that enters, many times over: shares of 1 each. */
+/* In a white room all entering light reaches the plane, several times: all shares are
+ * 1. */
 static void white_room_loses_nothing_above_the_plane(void **state)
 {
     (void)state;
@@ -193,8 +196,8 @@ static void white_room_loses_nothing_above_the_plane(void **state)
     assert_relative(figure(&sheet, "u_p"), 1.0, 1e-12);
 }
 
-/* A window from below the plane has the light of its part above: the same as one that
- * begins there, but for the wall under it. */
+/* A window that extends below the plane gives the light of its upper part, the same as
+ * a window that begins at the plane, except for the wall below it. */
 static void glass_below_the_plane_is_left_out(void **state)
 {
     (void)state;

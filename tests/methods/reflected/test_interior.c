@@ -6,7 +6,7 @@
 #include "tests/lib/box_room.h"
 #include "tests/lib/room_of.h"
 
-/* Sums of a dozen areas of some ten square metres. */
+/* Rounding of a sum of a dozen areas of some ten square metres. */
 #define ROUNDING 1e-13
 
 /* The worked room: 6 x 4 x 3 m, window 3.6 x 1.5 m with its sill at 0.9 m in a 4 m
@@ -37,8 +37,8 @@ static void worked_room_as_on_paper(void **state)
     assert_near(split.upper.reflectance, 0.59938, 5e-6);
 }
 
-/* A cupboard on the floor, 1.6 x 0.8 x 1.5 m: four sides and the top are seen, and
- * nothing sees its inside. */
+/* A cupboard on the floor, 1.6 x 0.8 x 1.5 m: four sides and the top count, its inside
+ * does not. */
 static void a_cupboard_counts_with_its_outer_faces(void **state)
 {
     (void)state;
@@ -74,7 +74,8 @@ static void parts_and_openings_make_up_the_whole(void **state)
     }
 }
 
-/* A rooflight's middle is the ceiling's height: all walls are below it. */
+/* The middle of a rooflight is at the height of the ceiling, so all walls are below
+ * it. */
 static void a_ceiling_is_above_its_own_rooflight(void **state)
 {
     (void)state;
@@ -123,8 +124,9 @@ static void a_room_of_one_colour_is_that_colour_in_every_part(void **state)
     }
 }
 
-/* A comb: three teeth that stand up from a bar, so that a level cut leaves three
- * pieces above it. Tilted about the x axis by an angle with sine 0.6. */
+/* A comb-shaped surface with three teeth above a bar: a horizontal cut leaves three
+ * pieces above it. The surface is tilted about the x axis by an angle with the sine
+ * 0.6. */
 static void area_below_a_cut_through_a_comb(void **state)
 {
     (void)state;
@@ -141,7 +143,7 @@ static void area_below_a_cut_through_a_comb(void **state)
     assert_near(pp_interior_area_below(&comb, 7.0), 10.0, 0.0);
 }
 
-/* A glass ceiling and glass walls above 1.4 m leave nothing above but a strip. */
+/* A glass ceiling and glass walls above 1.4 m leave only a strip above the cut. */
 static void a_room_is_split_if_both_parts_have_surfaces(void **state)
 {
     (void)state;

@@ -13,8 +13,8 @@
 
 static const double foot = 0.3048;
 
-/* The table as printed, per cent: rows by glass over floor; floors 10, 20, 40 %, walls
- * 20, 40, 60, 80 % each. */
+/* The printed table, per cent: rows by glass area over floor area; floors of 10, 20, 40
+ * %, each with walls of 20, 40, 60, 80 %. */
 static const double printed[][13] = {
 #include "tables/irc_minimum.inc"
 };
@@ -22,9 +22,9 @@ static const double printed[][13] = {
 static const double floors[3] = {0.1, 0.2, 0.4};
 static const double walls[4] = {0.2, 0.4, 0.6, 0.8};
 
-/* The room that the printed table fits best: 20 x 20 x 10 ft, sill at 3 ft, window to
- * the ceiling, obstruction 20 degrees. As wide as the area asks, wall or no wall: the
- * formula knows areas only. */
+/* The room that the printed table fits best: 20 x 20 x 10 ft, sill at 3 ft, window up
+ * to the ceiling, obstruction 20 degrees. The window is as wide as its area requires,
+ * even wider than the wall, since the formula only uses areas. */
 static void build_printed_room(struct box_room *box, double percent, double floor,
                                double wall)
 {
@@ -35,9 +35,8 @@ static void build_printed_room(struct box_room *box, double percent, double floo
     box_room_skyline(box, 20.0 * PP_RAD, 6.5 * foot, INFINITY);
 }
 
-/* All 156 cells. The table has one decimal of values that were worked out by hand; 0.25
- * is what the source of our figures keeps within, with an opening reflectance of 0.15.
- */
+/* All 156 cells. The table has one decimal, of values calculated by hand. 0.25 is the
+ * limit stated by our source, with a reflectance of 0.15 for openings. */
 static void formula_over_its_ratio_is_near_every_printed_cell(void **state)
 {
     (void)state;
@@ -66,13 +65,13 @@ static void ratios_are_the_published_ones(void **state)
         assert_near(pp_irc_minimum_average_ratio(walls[w]), published[w], 1e-14);
     assert_near(pp_irc_minimum_average_ratio(0.3), 1.6, 1e-14);
     assert_near(pp_irc_minimum_average_ratio(0.65), 1.275, 1e-14);
-    /* beyond them as at the end */
+    /* constant beyond the ends */
     assert_near(pp_irc_minimum_average_ratio(0.05), 1.8, 0.0);
     assert_near(pp_irc_minimum_average_ratio(0.95), 1.2, 0.0);
 }
 
-/* The worked room: 1.3289 per cent on average; walls of 0.5 halve the way from 1.4 to
- * 1.3. */
+/* The worked room: 1.3289 per cent on average; for walls of 0.5 the ratio is midway
+ * between 1.4 and 1.3. */
 static void worked_room_has_its_average_over_1_35(void **state)
 {
     (void)state;
@@ -109,15 +108,15 @@ static void table_reads_as_printed_in_every_cell(void **state)
             }
 }
 
-/* By hand, glass 11 % of the floor, floor 0.3, walls 0.5: at 10 % the mean of 0.3 0.6
- * and 0.5 0.8 is 0.55, at 15 % that of 0.5 0.8 and 0.7 1.1 is 0.775; a fifth of the way
- * is 0.595. */
+/* Calculated by hand: glass 11 % of the floor, floor 0.3, walls 0.5. At 10 % the mean
+ * of 0.3 0.6 and 0.5 0.8 is 0.55, at 15 % the mean of 0.5 0.8 and 0.7 1.1 is 0.775; a
+ * fifth of the way between them is 0.595. */
 static void table_is_taken_in_proportion_between_its_cells(void **state)
 {
     (void)state;
     struct pp_irc_minimum_entry entry = printed_entry(11.0, 0.3, 0.5);
     assert_near(100.0 * pp_irc_minimum_read(&entry).printed, 0.595, 1e-12);
-    /* 1 % of glass: half of what 2 % has, floor 0.4 and walls 0.8 */
+    /* 1 % of glass: half of the value for 2 %, floor 0.4 and walls 0.8 */
     entry = printed_entry(1.0, 0.4, 0.8);
     assert_near(100.0 * pp_irc_minimum_read(&entry).printed, 0.1, 1e-12);
     entry = printed_entry(0.0, 0.4, 0.8);
@@ -135,7 +134,7 @@ static void factors_are_the_published_ones(void **state)
         assert_near(pp_irc_minimum_read(&entry).floor_factor, small[w], 1e-12);
         entry.floor_m2 = 90.0;
         assert_near(pp_irc_minimum_read(&entry).floor_factor, large[w], 1e-12);
-        /* half way between the sides of 10 and 40 m2 */
+        /* halfway between the sides of 10 and 40 m2 */
         entry.floor_m2 = 22.5;
         assert_near(pp_irc_minimum_read(&entry).floor_factor, (1.0 + small[w]) / 2,
                     1e-12);
@@ -166,8 +165,8 @@ static void nothing_is_read_outside_the_printed_figures(void **state)
     assert_non_null(strstr(pp_irc_minimum_lacks(&bad), "half the floor area"));
 }
 
-/* In the printed room an obstruction of another angle scales the table as it scales the
- * formula, and the frame counts through the glass. */
+/* In the printed room another obstruction angle scales the table by the same ratio as
+ * the formula, and the frame counts as part of the glass area. */
 static void obstruction_scales_the_table_as_the_formula(void **state)
 {
     (void)state;
@@ -192,7 +191,8 @@ static void obstruction_scales_the_table_as_the_formula(void **state)
     assert_near(box_method_value(&pp_method_bre_table, &box, 0), 0.0, 0.0);
 }
 
-/* Two windows have what one of their size has, though the table is no straight line. */
+/* Two windows have the value of one window of their total area, although the table is
+ * not linear. */
 static void windows_share_one_reading_of_the_table(void **state)
 {
     (void)state;
@@ -207,7 +207,8 @@ static void windows_share_one_reading_of_the_table(void **state)
                     box_method_value(&pp_method_bre_table, &one, 0), 1e-13);
 }
 
-/* A minimum stands for each point and tells no average; nor does a pair with it. */
+/* A minimum applies to every point and gives no average; the same holds for a pair that
+ * contains it. */
 static void minimum_is_for_points_and_no_average(void **state)
 {
     (void)state;

@@ -15,7 +15,7 @@ static double value_of(const struct pp_method *method, const struct pp_world *wo
     return part.value;
 }
 
-/* By hand: K is 85 %, floor and walls 0.2 and 0.5 of 12 and 36.4 m2. */
+/* Calculated by hand: K is 85 %, floor and walls 0.2 and 0.5 with 12 and 36.4 m2. */
 static void rooflight_without_a_well_has_a_K_of_85_per_cent(void **state)
 {
     (void)state;
@@ -32,8 +32,9 @@ static void rooflight_without_a_well_has_a_K_of_85_per_cent(void **state)
     pp_world_destroy(world);
 }
 
-/* The same with a well: of what passes the glass N enters, reflected by the room as
- * before, and what the sides have reflected falls by f on the plane of 12 m2. */
+/* The same room with a well: the share N of the light enters the room and is reflected
+ * as before. Light reflected by the sides of the well is added: its share f falls on
+ * the plane of 12 m2. */
 static void well_dims_the_light_and_adds_its_own(void **state)
 {
     (void)state;
@@ -53,7 +54,7 @@ static void well_dims_the_light_and_adds_its_own(void **state)
         0.85 * 0.48
         * (N.whole * reflecting / 48.4 / (A - all) + (N.whole - N.direct) * f / 12);
     assert_relative(value_of(&pp_method_k_factor, world, &light, 0), irc, 1e-12);
-    /* `sphere` is the same with the glass's own 0.827 */
+    /* `sphere` is the same with the 0.827 of this glass. */
     assert_relative(value_of(&pp_method_sphere, world, &light, 0),
                     irc * world->openings[0].glass.diffuse / 0.85, 1e-12);
     pp_world_destroy(world);

@@ -1,12 +1,13 @@
-/* test_light_bound.c - no hand figure needs more light than enters the room. */
+/* test_light_bound.c - hand figures that require more light than enters the room are
+ * rejected. */
 #include "methods/reflected/light_bound.h"
 
 #include "methods/evaluate.h"
 #include "tests/lib/random_rooms.h"
 #include "tests/lib/sized.h"
 
-/* All that one opening of 2 x 3 m of no glass lets in, level, under the open sky: 6 m2 times
- * 1 on a plane of 20 m2; a black room reflects none of it but by the opening's 0.1. */
+/* An unglazed horizontal opening of 2 x 3 m under the open sky admits 6 m2 times 1, on
+ * a plane of 20 m2. A black room reflects only by the opening's 0.1. */
 static void the_bound_is_what_a_sum_by_hand_gives(void **state)
 {
     (void)state;
@@ -35,8 +36,9 @@ static struct pp_report report_of(const struct pp_world *world,
     return report;
 }
 
-/* 1,046 % by split-flux, which leaves openings out of its areas and mean reflectances; light
- * paths find 26 %. The sphere, which has them, is not refused. */
+/* split-flux gives 1,046 %, since it omits openings from its areas and mean
+ * reflectances; the path tracer gives 26 %. `sphere` includes openings and is not
+ * rejected. */
 static void split_flux_in_a_white_glass_box_is_refused(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_obstruction.c - the obstruction angle of an opening: from the wall, of level
- * glass, of the highest skyline; and the angle of the sky that is left. */
+/* test_obstruction.c - the obstruction angle of an opening: from its wall, of
+ * horizontal glass, of the highest skyline; and the angle of visible sky. */
 #include "methods/reflected/obstruction.h"
 #include "methods/reflected/sky_angle.h"
 
@@ -21,8 +21,8 @@ static double angle_in(const char *site, const char *opening, const char *outsid
     return angle_rad;
 }
 
-/* The file's angle is that at the middle of the wall's one window, 6 m from the
- * skyline, however deep the reveal. */
+/* The angle in the file applies at the middle of the only window of the wall, 6 m from
+ * the skyline, for any depth of the reveal. */
 static void a_reveal_does_not_move_the_skyline(void **state)
 {
     (void)state;
@@ -38,7 +38,7 @@ static void a_reveal_does_not_move_the_skyline(void **state)
     }
 }
 
-/* Nor does a wall that goes on about it, in the plane of the glass. */
+/* Nor does a wall that surrounds the glass in the plane of the glass obstruct it. */
 static void a_facade_about_the_glass_is_no_obstruction(void **state)
 {
     (void)state;
@@ -50,8 +50,8 @@ static void a_facade_about_the_glass_is_no_obstruction(void **state)
                 30.0 * PP_RAD, 1e-12);
 }
 
-/* A wall 0.45 m thick before the same surroundings, in the three ways in which a file can
- * say so: the glass at its outer end, at its inner end, and between. */
+/* A wall 0.45 m thick with the same surroundings, in the three ways in which a file can
+ * describe it: glass at the outer face, at the inner face, and between them. */
 static const char *const thick_walls[][2] = {
     {"reveal='0.45'", "<facade wall='south' left='4' right='3' up='2'/>"},
     {"reveal='0'", "<facade wall='south' left='4' right='3' up='2' depth='0.45'/>"},
@@ -66,8 +66,8 @@ static void write_window(char text[200], const char *reveal)
              reveal);
 }
 
-/* Whether a skyline stands before it, or blocks, whose angle is worked out from what they
- * leave of the sky. */
+/* With a skyline, or with blocks, whose angle is calculated from the sky that they
+ * leave. */
 static void the_wall_s_own_thickness_is_no_obstruction(void **state)
 {
     (void)state;
@@ -89,7 +89,7 @@ static void the_wall_s_own_thickness_is_no_obstruction(void **state)
     }
 }
 
-/* But the head of the hole cuts off the zenith: atan(1.3/2 / 0.45) less 20 degrees. */
+/* The head of the reveal hides the zenith: atan(1.3/2 / 0.45) less 20 degrees. */
 static void the_wall_s_own_thickness_limits_the_sky_from_above(void **state)
 {
     (void)state;
@@ -119,8 +119,8 @@ static void the_wall_s_own_thickness_limits_the_sky_from_above(void **state)
     }
 }
 
-/* An endless wall that rises 8 m above level glass, 8 m off, leaves (1 + cos 45)/2 of
- * the uniform sky, and counts as that share of 90 degrees. */
+/* An infinitely long wall 8 m away, which rises 8 m above horizontal glass, leaves (1 +
+ * cos 45)/2 of the uniform sky. Its angle is the hidden share of 90 degrees. */
 static void level_glass_counts_the_share_of_the_sky_that_is_hidden(void **state)
 {
     (void)state;

@@ -16,7 +16,7 @@ static void clear_window_is_the_published_equation_15(void **state)
     assert_relative(box_method_value(&pp_method_sphere, &box, 0), published, 1e-12);
 }
 
-/* Half of the diffusing pane's light goes up, half goes down. */
+/* Half of the light of a diffusing pane goes up, half goes down. */
 static void diffusing_window_lights_both_parts_alike(void **state)
 {
     (void)state;
@@ -28,8 +28,9 @@ static void diffusing_window_lights_both_parts_alike(void **state)
     assert_relative(box_method_value(&pp_method_sphere, &box, 0), expected, 1e-12);
 }
 
-/* With one colour inside and glass of the 0.85 that is built into `bre`, the window's own wall and the two ways of naming the ground
- * make no difference but 0.1/2 against 5 %: then it is the BRE formula. */
+/* If all surfaces have one reflectance and the glass has the 0.85 of `bre`, the wall of
+ * the window and the treatment of the ground (0.1/2 instead of 5 %) make no difference:
+ * `sphere` equals `bre`. */
 static void one_colour_and_ground_of_0_1_is_the_bre_formula(void **state)
 {
     (void)state;
@@ -42,9 +43,9 @@ static void one_colour_and_ground_of_0_1_is_the_bre_formula(void **state)
                     box_method_value(&pp_method_bre, &box, 0), 1e-12);
 }
 
-/* Both formulae, with the sphere's A (1 - R) in one, A_u + A_l and their reflectance in
- * the other: the opening, which the one counts with 0.1 and the other not, is taken out
- * of the comparison. */
+/* Ratio of the two formulae, with A (1 - R) of `sphere` in one, and A_u + A_l with
+ * their reflectance in the other. This excludes the opening, which counts with 0.1 only
+ * in `sphere`. */
 static double split_over_sphere(struct box_room *box, double rho)
 {
     struct pp_interior all = pp_interior_all(&box->world);
@@ -64,14 +65,14 @@ static void one_colour_and_equal_halves_are_2rho_over_1_plus_rho(void **state)
         box_room_south(&box, 0.7, 0.8, 1.7, 1.0); /* its middle is the room's */
         box.light.ground_reflectance = 0.0;
         assert_relative(split_over_sphere(&box, rho), 2 * rho / (1 + rho), 1e-12);
-        /* where the ground is as bright as the sky above it, they are equal */
+        /* If the ground is as bright as the sky above it, the formulae are equal. */
         box.light.ground_reflectance = 2 * 0.39;
         assert_relative(split_over_sphere(&box, rho), 1.0, 1e-12);
     }
 }
 
-/* The same without taking anything out: the smaller the opening, the less its own
- * reflectance matters, to its share of the room's surface times 0.9/(1 - rho). */
+/* Without this correction: the smaller the opening, the less its own reflectance
+ * matters, in proportion to its share of the room's surface times 0.9/(1 - rho). */
 static void a_small_opening_needs_no_taking_out(void **state)
 {
     (void)state;
@@ -86,8 +87,8 @@ static void a_small_opening_needs_no_taking_out(void **state)
                     2 * rho / (1 + rho), 3 * share);
 }
 
-/* An unglazed rooflight over a floor and walls of 0.4: all that falls in is lit by the
- * whole sky, C = 1, and nothing comes from the ground. */
+/* An unglazed rooflight above a floor and walls of 0.4: all light comes from the whole
+ * sky, C = 1, and none from the ground. */
 static void rooflight_lets_the_whole_sky_in(void **state)
 {
     (void)state;
@@ -101,21 +102,21 @@ static void rooflight_lets_the_whole_sky_in(void **state)
     assert_relative(box_method_value(&pp_method_sphere, &box, 0), expected, 1e-12);
     box.light.sky = pp_sky_uniform();
     assert_relative(box_method_value(&pp_method_sphere, &box, 0), expected, 1e-12);
-    /* it sends nothing up, clear or diffusing */
+    /* A clear or a diffusing rooflight sends no light upwards. */
     box.openings[0].glass = pp_glass_diffusing(0.53);
     assert_relative(box_method_value(&pp_method_sphere, &box, 0), 0.53 * expected,
                     1e-12);
 }
 
-/* Light of the open overcast sky on glass at the slope beta. */
+/* Light from the open overcast sky on glass with the slope beta. */
 static double open_sky_on_slope(double beta)
 {
     return 3.0 / 14.0 * (1 + cos(beta))
            + 4.0 / (7.0 * PP_PI) * (sin(beta) + (PP_PI - beta) * cos(beta));
 }
 
-/* A pane in the ceiling turned up by degrees, as a monitor's would be: only its normal
- * and slope count. At 90 degrees C is the table's 39 per cent. */
+/* A pane in the ceiling, tilted as in a monitor roof: only its normal and slope count.
+ * At 90 degrees C is 39 per cent, as in the table. */
 static void sloping_glass_has_the_skys_exact_share_and_its_ground(void **state)
 {
     (void)state;
@@ -131,8 +132,8 @@ static void sloping_glass_has_the_skys_exact_share_and_its_ground(void **state)
         double scale = pp_glass_clear_single().diffuse * 0.77
                        / (A - 0.4 * (A - 0.77) - 0.1 * 0.77) * 0.4;
         double ground = 0.2 * (1 - cos(beta)) / 2;
-        /* both parts have one colour, so that where light falls first is all the
-         * same */
+        /* Both parts have one reflectance, so it does not matter where light falls
+         * first. */
         assert_relative(box_method_value(&pp_method_sphere, &box, 0),
                         scale * (open_sky_on_slope(beta) + ground), 1e-12);
         box.light.sky = pp_sky_uniform();

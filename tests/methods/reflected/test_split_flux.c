@@ -16,7 +16,7 @@ static void worked_room_has_1_2962_per_cent(void **state)
     box_room_build(&box, 4.0, 6.0, 3.0, 0.2, 0.5, 0.7);
     box_room_south(&box, 0.2, 0.9, 3.6, 1.5)->glass = box_method_printed_glass();
     box.light.ground_reflectance = 0.1;
-    assert_near(100.0 * split_flux_of(&box, 0), 1.2962, 5e-5); /* as printed */
+    assert_near(100.0 * split_flux_of(&box, 0), 1.2962, 5e-5); /* printed value */
 }
 
 static void clear_window_is_the_published_equation_9(void **state)
@@ -43,13 +43,15 @@ static void diffusing_window_is_the_published_equation_12(void **state)
     assert_relative(split_flux_of(&box, 0), published, 1e-12);
 }
 
-/* Room 4 x 6 x 3 m, reflectances 0.2, 0.5, 0.7; a diffusing pane of 0.6, 3.0 x 1.6 m from
- * 0.9 m up, its middle at 1.7 m; a 20 degree skyline (C = 31 %), ground 0.3. By hand:
+/* Room 4 x 6 x 3 m, reflectances 0.2, 0.5, 0.7; a diffusing pane of 0.6, 3.0 x 1.6 m,
+ * from 0.9 m up, middle at 1.7 m; a skyline of 20 degrees (C = 31 %), ground 0.3.
+ * Calculated by hand:
  *
- *     A_u = 24 + 20 * 1.3 - 2.4 = 47.6   rho_u = (24 * 0.7 + 23.6 * 0.5) / 47.6 = 0.60084
- *     A_l = 24 + 20 * 1.7 - 2.4 = 55.6   rho_l = (24 * 0.2 + 31.6 * 0.5) / 55.6 = 0.37050
- *     IRC = 0.6 * 4.8 / (1 - 0.22261) * (15 + 31) / 2
- *           * (0.60084 / 47.6 + 0.22261 / 55.6) = 1.41672 % */
+ *    A_u = 24 + 20 * 1.3 - 2.4 = 47.6   rho_u = (24 * 0.7 + 23.6 * 0.5) / 47.6 = 0.60084
+ *    A_l = 24 + 20 * 1.7 - 2.4 = 55.6   rho_l = (24 * 0.2 + 31.6 * 0.5) / 55.6 = 0.37050
+ *    IRC = 0.6 * 4.8 / (1 - 0.22261) * (15 + 31) / 2
+ *          * (0.60084 / 47.6 + 0.22261 / 55.6) = 1.41672 %
+ */
 static void a_stated_diffuse_transmittance_enters_as_it_is(void **state)
 {
     (void)state;
@@ -62,9 +64,9 @@ static void a_stated_diffuse_transmittance_enters_as_it_is(void **state)
     assert_near(100.0 * split_flux_of(&box, 0), 1.41672, 5e-6);
 }
 
-/* In an integrating sphere of the same area and reflectance
- * IRC = tau Ag rho C / (A (1 - rho)). With all light on the lower of two equal halves
- * the split flux has 2 rho/(1 + rho) of that: what comes back from above. */
+/* In an integrating sphere of the same area and reflectance IRC = tau Ag rho C / (A (1
+ * - rho)). If all light falls on the lower of two equal halves, split-flux gives 2
+ * rho/(1 + rho) of that value, since only light reflected from above counts. */
 static void one_colour_and_equal_halves_give_2rho_over_1_plus_rho_of_a_sphere(
     void **state)
 {
@@ -82,8 +84,8 @@ static void one_colour_and_equal_halves_give_2rho_over_1_plus_rho_of_a_sphere(
     }
 }
 
-/* An unglazed rooflight over a black floor and black walls: light falls down and none
- * comes back. Over white ones it is as eq. 9 with C = 1. */
+/* An unglazed rooflight above a black floor and black walls: light falls down and none
+ * is reflected. With white surfaces the result is eq. 9 with C = 1. */
 static void rooflight_lights_the_floor_with_the_whole_sky(void **state)
 {
     (void)state;
@@ -104,7 +106,7 @@ static void rooflight_lights_the_floor_with_the_whole_sky(void **state)
     assert_relative(split_flux_of(&box, 0), published, 1e-12);
 }
 
-/* The exact ratio of a vertical plane, times 1 - alpha/90. */
+/* The exact ratio for a vertical plane, times 1 - alpha/90. */
 static void other_skies_use_their_own_ratio(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* test_well.c - wells of rooflights: limits, light followed ray by ray, and the tracer. */
+/* test_well.c - wells of rooflights: limits, light followed ray by ray, and the
+ * tracer. */
 #include "methods/reflected/interior.h"
 #include "methods/reflected/well.h"
 
@@ -9,8 +10,8 @@
 
 static const struct pp_well_shape awkward = {1.3, 0.7, 1.1, 0.5};
 
-/* Without glass and under an even sky what passes black sides is the form factor from end
- * to end, 0.199825 of a cube [HSM16]. The sum over directions is good to 1e-3. */
+/* Without glass and under a uniform sky a black well transmits its form factor from end
+ * to end, 0.199825 for a cube [HSM16]. The sum over directions is accurate to 1e-3. */
 static void black_cube_lets_its_form_factor_through(void **state)
 {
     (void)state;
@@ -22,8 +23,9 @@ static void black_cube_lets_its_form_factor_through(void **state)
     assert_near(pp_well_index(&cube), 1.0, 1e-12);
 }
 
-/* A deep black shaft is all but the solid angle of its top: under the overcast sky its
- * zenith is 9/7 of the mean, through glass by 0.900 over 0.827 of the diffuse. */
+/* A deep black shaft transmits light only within the solid angle of its top. The zenith
+ * of the overcast sky is 9/7 of its mean; through glass the factor is 0.900 over 0.827,
+ * the diffuse transmittance. */
 static void deep_black_shaft_shows_the_zenith(void **state)
 {
     (void)state;
@@ -39,8 +41,8 @@ static void deep_black_shaft_shows_the_zenith(void **state)
     assert_true(overcast < 0.900 / 0.827);
 }
 
-/* A point on one side, evenly dealt out over a section; the light of an even sky followed
- * from side to side, each of which sends it on by the cosine. */
+/* Direction with a density proportional to the cosine to n. Rays start at random points
+ * of the top and are followed from side to side; each side reflects diffusely. */
 static struct pp_vec3 cosine_about(struct dice *dice, struct pp_vec3 n)
 {
     double s = sqrt(between(dice, 0.0, 1.0)), phi = between(dice, 0.0, 2 * PP_PI);
@@ -51,7 +53,8 @@ static struct pp_vec3 cosine_about(struct dice *dice, struct pp_vec3 n)
     return pp_vec_along(d, s * sin(phi), u);
 }
 
-/* Moves p along u to where it leaves the box; the side's inward normal. */
+/* Moves p along u to the point where it leaves the box, and returns the inward normal
+ * of that side. */
 static struct pp_vec3 go(struct pp_vec3 *p, struct pp_vec3 u,
                          const struct pp_well_shape *box)
 {
@@ -91,7 +94,7 @@ static double followed(const struct pp_well_shape *well, int rays)
     return sum / rays;
 }
 
-/* 60,000 rays: a standard error of 0.0015 or less; bands and directions add 0.002. */
+/* 60,000 rays: a standard error of at most 0.0015; bands and directions add 0.002. */
 static void efficiency_is_that_of_rays_followed(void **state)
 {
     (void)state;
@@ -120,10 +123,10 @@ static void lighter_and_shallower_wells_let_more_through(void **state)
     }
 }
 
-/* All that leaves the well falls on a plane just below a ceiling: in a black room that
- * plane has the light of the glass times N over its area, of which N_d is sky component.
- * Light sides send some up to the glass, which sends a part of it down again: without
- * that N of sides of 0.9 would be 0.02 less. */
+/* All light that leaves the well falls on a plane just below the ceiling. In a black
+ * room the light on this plane is the light of the glass times N over its area; the
+ * part N_d is sky component. Light sides also reflect light up to the glass, which
+ * reflects some down again; without this N would be 0.02 lower for sides of 0.9. */
 static void tracer_finds_the_same_light_below_the_well(void **state)
 {
     (void)state;
@@ -146,8 +149,8 @@ static void tracer_finds_the_same_light_below_the_well(void **state)
         const struct pp_opening *opening = &world->openings[0];
         struct pp_well_efficiency N = pp_well_of(world, &light, opening);
         double per_N = 1.3 * 0.7 * opening->glass.diffuse / (1.9 * 1.4);
-        /* The overcast sky passes level glass a little better than diffuse light: 1.017.
-         */
+        /* Horizontal glass transmits slightly more light from the overcast sky than
+         * diffuse light: 1.017. */
         double exact_per_N = per_N * 1.017;
         assert_near(readings[1][PP_SC].value, N.direct * exact_per_N,
                     4 * readings[1][PP_SC].std_error + 0.006 * per_N);
@@ -158,7 +161,8 @@ static void tracer_finds_the_same_light_below_the_well(void **state)
     }
 }
 
-/* The foot stands for the opening, with 0.1; the sides are in no mean of the room. */
+/* The foot of the well replaces the opening, with a reflectance of 0.1; the sides are
+ * not included in any mean of the room. */
 static void sides_are_no_part_of_the_room(void **state)
 {
     (void)state;
@@ -178,8 +182,8 @@ static void sides_are_no_part_of_the_room(void **state)
     assert_relative(all[1].reflectance, all[0].reflectance, 1e-12);
 }
 
-/* Straight below a foot at 2.6 m, a plane of 4 by 3 at 0.85 m: four rectangles with a
- * corner below it, atan sums of the configuration factor [HSM16]. */
+/* A plane of 4 by 3 m at 0.85 m below a foot at 2.6 m: four rectangles with one corner
+ * directly below, atan sums of the configuration factor [HSM16]. */
 static void foot_sees_the_plane_by_its_configuration_factor(void **state)
 {
     (void)state;

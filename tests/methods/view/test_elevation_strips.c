@@ -1,4 +1,5 @@
-/* test_elevation_strips.c - rectangles before a rectangle: what each place shows. */
+/* test_elevation_strips.c - rectangles in front of a rectangle: the visible object at
+ * each place. */
 #include "tests/lib/near.h"
 
 #include <stdlib.h>
@@ -9,14 +10,14 @@
 static const struct pp_elevation_part seen = {
     .left = -1.3, .right = 2.1, .low = 0.2, .high = 1.7};
 
-/* Uniform in [0, 1), from a row of its own. */
+/* Pseudo-random number in [0, 1). */
 static double next(uint64_t *row)
 {
     *row = *row * 6364136223846793005u + 1442695040888963407u;
     return (double)(*row >> 11) * 0x1p-53;
 }
 
-/* Reflectances are few, so that neighbours often show the same. */
+/* Few different reflectances, so that neighbours often have the same. */
 static struct pp_elevation_obstruction random_obstruction(uint64_t *row, int order)
 {
     double left = -2.0 + 4.0 * next(row), low = -0.5 + 2.0 * next(row);
@@ -32,7 +33,7 @@ static bool is_within(const struct pp_elevation_part *part, double x, double z)
     return x > part->left && x < part->right && z > part->low && z < part->high;
 }
 
-/* Obstruction seen there: the nearest of all; NAN: sky. */
+/* The nearest obstruction at a place; NAN: sky. */
 static double seen_there(const struct pp_elevation_obstruction *all, int count,
                          double x, double z)
 {
@@ -46,7 +47,7 @@ static double seen_there(const struct pp_elevation_obstruction *all, int count,
     return nearest ? nearest->outline.reflectance : NAN;
 }
 
-/* The one part at a place. */
+/* The only part at a place. */
 static const struct pp_elevation_part *part_at(const struct pp_elevation *elevation,
                                                double x, double z)
 {
@@ -108,7 +109,8 @@ static void the_parts_fill_the_opening(void **state)
     pp_elevation_clear(&elevation);
 }
 
-/* Four thousand blocks wholly behind one wall: the wall and the sky above it. */
+/* Four thousand blocks that a single wall hides completely: only the wall and the sky
+ * above it remain. */
 static void what_stands_behind_a_wall_makes_no_parts(void **state)
 {
     (void)state;
@@ -136,8 +138,8 @@ static void what_stands_behind_a_wall_makes_no_parts(void **state)
     pp_elevation_clear(&elevation);
 }
 
-/* Each of 40 obstructions is tested when all others have been added. Most stand on the
- * ground, as most do. */
+/* Each of 40 obstructions is tested after all others have been added. Most stand on the
+ * ground, as in real scenes. */
 static void what_counts_as_covered_is_seen_nowhere(void **state)
 {
     (void)state;
@@ -160,7 +162,8 @@ static void what_counts_as_covered_is_seen_nowhere(void **state)
                 continue;
             hidden++;
             double reflectance = own->reflectance;
-            all[i].outline.reflectance = 0.77; /* no other's */
+            all[i].outline.reflectance =
+                0.77; /* a reflectance that no other obstruction has */
             double left = fmax(own->left, seen.left), low = fmax(own->low, seen.low);
             double width = fmin(own->right, seen.right) - left;
             double height = fmin(own->high, seen.high) - low;

@@ -1,5 +1,5 @@
-/* test_hidden_blocks.c - many blocks before a window: what is hidden counts for nothing, in
- * whatever order the file has them. */
+/* test_hidden_blocks.c - many blocks in front of a window: hidden blocks do not change
+ * the result, in any order in the file. */
 #include "tests/lib/near.h"
 
 #include <stdio.h>
@@ -17,7 +17,7 @@ struct blocks_room {
     struct pp_report report;
 };
 
-/* Results of the methods for a room before which `blocks` stand. */
+/* Results of the methods for a room with `blocks` in front of it. */
 static void answer(struct blocks_room *room, const char *glazing, const char *blocks)
 {
     size_t size = strlen(blocks) + 500;
@@ -46,7 +46,7 @@ static void clear(struct blocks_room *room)
     pp_world_destroy(room->world);
 }
 
-/* Both rooms get the same figures, which are not all zero. */
+/* Asserts that both rooms have the same figures, and that not all are zero. */
 static void assert_same(const struct blocks_room *a, const struct blocks_room *b,
                         double tolerance)
 {
@@ -71,7 +71,7 @@ static uint64_t next(uint64_t *row, uint64_t below)
     return (*row >> 33) % below;
 }
 
-/* The text of a block, by its number in the row of all. */
+/* Writes a block, by its number. */
 static int write_block(char *text, int number, double first_y)
 {
     uint64_t row = 977 + 31 * (uint64_t)number;
@@ -87,9 +87,9 @@ static int write_block(char *text, int number, double first_y)
 
 enum { COUNT = 40, BLOCK_TEXT = 160 };
 
-/* A row of houses wall to wall, higher than all that stands farther off: these are behind
- * them from any height under the roofs. One long house would not do, since tables and
- * protractors take for nearer what has the nearest corner. */
+/* A row of houses without gaps, higher than all blocks behind them: these are hidden
+ * from all heights below the roofs. A single long house would not be suitable, since
+ * tables and protractors sort obstructions by the distance of their nearest corner. */
 static void blocks_behind_a_higher_house_change_no_figure(void **state)
 {
     (void)state;
@@ -119,7 +119,8 @@ static void blocks_behind_a_higher_house_change_no_figure(void **state)
     free(all);
 }
 
-/* The nearest of blocks of two reflectances counts, not the first in the file. */
+/* The nearest of blocks with two reflectances counts, not the first block in the
+ * file. */
 static void the_order_of_the_blocks_in_the_file_changes_no_figure(void **state)
 {
     (void)state;

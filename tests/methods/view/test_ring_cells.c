@@ -1,6 +1,5 @@
-/* test_ring_cells.c - many rings on a figure, cell by cell, leave the areas that they leave
- * without cells.
- */
+/* test_ring_cells.c - cutting many outlines out of a figure cell by cell leaves the
+ * same areas as without cells. */
 #include "methods/view/ring_cells.h"
 
 #include <math.h>
@@ -11,7 +10,7 @@
 
 enum { LEAVES = 1500 };
 
-/* Triangles strewn over the unit square, each at a depth of its own. */
+/* Triangles scattered over the unit square, each at its own depth. */
 struct leaves {
     double xy[LEAVES][3][2];
     struct pp_fragment_ring rings[LEAVES];
@@ -51,7 +50,7 @@ static double area_of(const struct pp_fragments *fragments, int owner)
     return sum;
 }
 
-/* Number of rings in the cells. */
+/* The number of outlines in all cells. */
 struct seen {
     const struct leaves *leaves;
     int cells, most;
@@ -85,7 +84,7 @@ static enum pp_status cover(void *data, struct pp_fragments *open, const int *ri
     return status;
 }
 
-/* Every leaf is cut out, whatever the cells: what is left is as large as by one cut after
+/* Every triangle is cut out once: the remaining area is the same as with one cut after
  * the other. */
 static void what_leaves_leave_open_is_the_same_without_cells(void **state)
 {
@@ -106,7 +105,7 @@ static void what_leaves_leave_open_is_the_same_without_cells(void **state)
     free(leaves);
 }
 
-/* Each leaf has as much in front of it. */
+/* The same area is in front of each triangle as without cells. */
 static void each_leaf_has_in_front_what_it_has_without_cells(void **state)
 {
     (void)state;
@@ -128,7 +127,8 @@ static void each_leaf_has_in_front_what_it_has_without_cells(void **state)
     free(leaves);
 }
 
-/* Where every ring is as wide as the figure, halves part nothing: there is one cell. */
+/* If every outline is as wide as the figure, dividing the figure does not separate
+ * them: there is one cell. */
 static void rings_that_halves_do_not_part_stay_together(void **state)
 {
     (void)state;

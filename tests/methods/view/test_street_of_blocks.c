@@ -1,5 +1,5 @@
-/* test_street_of_blocks.c - a street of blocks, each of another reflectance: the convex
- * parts of a view agree with its outlines, and stay few. */
+/* test_street_of_blocks.c - a street of blocks, each with another reflectance: the
+ * convex parts of a view agree with its outlines, and their number stays small. */
 #include "methods/view/visible.h"
 
 #include <stdio.h>
@@ -11,7 +11,7 @@ enum { BLOCKS = 60 };
 
 static const struct pp_vec3 eye = {1.9, 2.3, 0.85};
 
-/* A room before which 60 blocks stand, the farthest first. */
+/* A room with 60 blocks in front of it, the farthest first. */
 static struct pp_world *street(void)
 {
     char xml[200 * (BLOCKS + 2)];
@@ -21,7 +21,8 @@ static struct pp_world *street(void)
                       "<window wall='south' left='0.7' sill='0.9' width='2.3' "
                       "height='1.4' glazing='none'/>");
     for (int i = 0; i < BLOCKS; i++) {
-        /* in turn, since compilers evaluate arguments in different orders */
+        /* one after the other, since compilers evaluate arguments in different
+         * orders */
         const double turn_deg = between(&dice, 0.0, 20.0);
         const double height_m = between(&dice, 4.0, 16.0);
         const double x_m = between(&dice, -40.0, 40.0);
@@ -34,7 +35,7 @@ static struct pp_world *street(void)
     return pp_test_world(xml);
 }
 
-/* Area of the patches that show the sky, or an obstruction of that reflectance. */
+/* Area of the patches that show the sky, or an obstruction with this reflectance. */
 static double area_of(const struct pp_visible *visible, bool hidden, double reflectance)
 {
     double sum = 0.0;
@@ -47,7 +48,7 @@ static double area_of(const struct pp_visible *visible, bool hidden, double refl
     return sum;
 }
 
-/* GEOS finds the outlines by overlays, without convex parts. */
+/* GEOS calculates the outlines by overlays, without convex parts. */
 static void parts_have_the_areas_of_the_outlines(void **state)
 {
     (void)state;
@@ -74,8 +75,8 @@ static void parts_have_the_areas_of_the_outlines(void **state)
     pp_world_destroy(world);
 }
 
-/* The nearest blocks are cut out first: those behind them divide little. In the order of
- * the file there are six times as many parts. */
+/* The nearest blocks are cut out first, so that those behind them add few parts. In the
+ * order of the file there would be six times as many parts. */
 static void parts_stay_few_if_the_farthest_block_stands_first(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_visible.c - views with unusual openings, occluders inside and obstructions
- * outside, by two routes. */
+/* test_visible.c - views with unusual openings, surfaces in the room and obstructions
+ * outside, by two independent calculations. */
 #include "tests/lib/near.h"
 
 #include <stdio.h>
@@ -34,7 +34,7 @@ static struct pp_part part_of(const struct pp_world *world,
     return sum;
 }
 
-/* exact and the sum over meridians, for every opening of a room. */
+/* Compares `exact` with the sum over meridians, for every opening of a room. */
 static struct pp_part assert_by_two_routes(const struct pp_world *world,
                                            const struct pp_outside_light *light,
                                            struct pp_receiver receiver)
@@ -58,8 +58,9 @@ static struct pp_part assert_by_two_routes(const struct pp_world *world,
     "<window wall='south' left='0.7' sill='0.9' width='2.3' height='1.4'"              \
     " glazing='none'/>"
 
-/* An L: a wing along the south, another up the west side. From the west wing's end the
- * window in the east wall is round the corner; from the joint it is in full view. */
+/* An L-shaped room: a wing along the south side, another up the west side. From the end
+ * of the west wing the corner hides the window in the east wall; from the junction the
+ * window is fully visible. */
 static void walls_of_an_l_shaped_room_hide_its_windows(void **state)
 {
     (void)state;
@@ -88,8 +89,8 @@ static void walls_of_an_l_shaped_room_hide_its_windows(void **state)
     pp_world_destroy(world);
 }
 
-/* In the same L, a window looks on to the other wing's outside: that is an obstruction
- * with the 0.2 of outer faces. */
+/* In the same room another window faces the outer wall of the other wing. This wall is
+ * an obstruction with the reflectance of outer faces, 0.2. */
 static void another_wing_obstructs_from_outside(void **state)
 {
     (void)state;
@@ -127,7 +128,8 @@ static void a_partition_inside_takes_light_and_gives_none(void **state)
     pp_world_destroy(bare);
 }
 
-/* Before the glass, behind the point, under the sill: none of it hides anything. */
+/* Objects close to the glass but beside it, behind the point, or below the sill hide
+ * nothing. */
 static void what_is_not_in_the_way_changes_nothing(void **state)
 {
     (void)state;
@@ -149,8 +151,8 @@ static void what_is_not_in_the_way_changes_nothing(void **state)
     pp_world_destroy(bare);
 }
 
-/* A block that stands against the wall covers the lower half of the window; where it
- * covers all of it, no sky is left and all of it is the block's. */
+/* A block against the wall covers the lower half of the window. If it covers the whole
+ * window, no sky is left, and the block fills the view. */
 static void a_block_against_the_window_covers_it(void **state)
 {
     (void)state;
@@ -175,7 +177,7 @@ static void a_block_against_the_window_covers_it(void **state)
     pp_world_destroy(bare);
 }
 
-/* The nearer of two things of different reflectance counts, whichever comes first in
+/* The nearer of two obstructions with different reflectances counts, in any order in
  * the file. */
 static void the_nearer_obstruction_counts(void **state)
 {
@@ -200,7 +202,7 @@ static void the_nearer_obstruction_counts(void **state)
 static void a_skyline_at_a_distance_is_a_long_wall_there(void **state)
 {
     (void)state;
-    /* From the middle of the window, z = 1.6, 25 degrees at 12 m. */
+    /* At the middle of the window, z = 1.6: 25 degrees at 12 m. */
     struct pp_outside_light skyline_light;
     struct pp_world *skyline = pp_test_lit_world(
         &skyline_light,
@@ -229,7 +231,7 @@ static void a_skyline_at_a_distance_is_a_long_wall_there(void **state)
     pp_world_destroy(wall);
 }
 
-/* Through a reveal as deep as the opening is wide, from the side, nothing is seen. */
+/* Through a reveal as deep as the opening is wide, nothing is visible from the side. */
 static void a_reveal_narrows_the_view(void **state)
 {
     (void)state;
@@ -266,7 +268,8 @@ static void a_round_headed_window_is_the_sum_of_its_outline(void **state)
     pp_world_destroy(world);
 }
 
-/* A rooflight with a corner straight above the point and an edge through its zenith. */
+/* A rooflight with one corner directly above the point and an edge through its
+ * zenith. */
 static void a_rooflight_corner_may_stand_overhead(void **state)
 {
     (void)state;
@@ -283,8 +286,8 @@ static void a_rooflight_corner_may_stand_overhead(void **state)
     pp_world_destroy(world);
 }
 
-/* A plate that shines and covers all that is seen is a Lambertian emitter: its exitance
- * times the configuration factor of the window, here from the uniform sky. */
+/* A luminous plate that fills the view is a Lambertian emitter: its exitance times the
+ * configuration factor of the window, calculated with the uniform sky. */
 static void what_shines_outside_gives_its_configuration_factor(void **state)
 {
     (void)state;
@@ -326,7 +329,7 @@ static void outside_nothing_hides_the_open_sky(void **state)
     pp_world_destroy(world);
 }
 
-/* A wall so long and near that it hides all below 30 degrees. */
+/* A wall so long and near that it hides the sky below 30 degrees. */
 static void a_long_block_opposite_is_a_continuous_obstruction(void **state)
 {
     (void)state;
@@ -343,7 +346,8 @@ static void a_long_block_opposite_is_a_continuous_obstruction(void **state)
     assert_int_equal(pp_exterior_sky_on_plane(&share, world, &world->openings[0],
                                               pp_vec(0.0, -1.0, 0.0), &sky, NULL),
                      PP_OK);
-    assert_near(share, paper, 1e-6); /* the block's ends, at 1/2000 of its length */
+    assert_near(share, paper,
+                1e-6); /* because of the ends of the block, at 1/2000 of its length */
     pp_world_destroy(world);
 }
 
@@ -361,8 +365,8 @@ static void a_diffusing_pane_emits_what_falls_on_it(void **state)
     struct pp_outside_light light;
     struct pp_world *world = pp_test_lit_world(&light, PLAN(PANE));
     struct pp_receiver receiver = receiver_at(1.4, 2.3, 1.6);
-    /* The configuration factor of the whole pane: what the uniform sky gives above the
-     * horizon, and by symmetry about the window's middle height below it. */
+    /* Configuration factor of the whole pane: the value for the uniform sky above the
+     * horizon, and, by symmetry about the middle of the window, below it. */
     struct pp_receiver upside_down = receiver;
     upside_down.normal.z = -1.0;
     double factor = part_of(bare, &bare_light, &receiver).sky;
@@ -379,8 +383,8 @@ static void a_diffusing_pane_emits_what_falls_on_it(void **state)
     pp_world_destroy(bare);
 }
 
-/* Places and weights from low to high: between borders (of which there may be one) at
- * most 0.3 m with a rule of eight places each. */
+/* Positions and weights in ascending order: between borders (at most one) at most 0.3 m
+ * apart, a rule of eight positions. */
 enum { RULE = 8, PLACES_MOST = 12 * RULE };
 static int places_of(double places[][2], double low, double high, double border)
 {
@@ -405,8 +409,8 @@ static int places_of(double places[][2], double low, double high, double border)
     return count;
 }
 
-/* Light of an obstructed pane at points from 0.4 m to the back, against a sum over the
- * pane's area. Its illuminance is not smooth at x and at z. */
+/* Light of an obstructed pane at points from 0.4 m to the back, compared with a sum
+ * over the area of the pane. Its illuminance is not smooth at x and at z. */
 static void assert_sum_of_pieces(const char *before, double x, double z)
 {
     char xml[2000];
@@ -444,7 +448,8 @@ static void assert_sum_of_pieces(const char *before, double x, double z)
         assert_int_equal(pp_method_exact.evaluate(world, &light, &world->openings[0],
                                                   &points[p], tools, &part, NULL),
                          PP_OK);
-        assert_relative(part.sky, sky[p], 1e-6); /* what exact.h promises with glass */
+        assert_relative(part.sky, sky[p],
+                        1e-6); /* accuracy promised by exact.h with glass */
         assert_relative(part.external, external[p], 1e-6);
     }
     pp_method_exact.destroy_tools(tools);
@@ -456,8 +461,9 @@ static void assert_sum_of_pieces(const char *before, double x, double z)
     "<vertex x='3.4' y='" y "' z='1.5'/><vertex x='3.4' y='-1' z='1.5'/>"              \
     "<vertex x='0.2' y='-1' z='1.5'/></surface>"
 
-/* Smooth, with kinks and with a jump: a block whose head and side the pane looks
- * along, a shelf a hand's width before it, one that touches it, a fin that does. */
+/* Smooth illuminance, with kinks and with a jump: a block whose top and side are in
+ * line with the pane, a shelf 0.1 m in front of it, a shelf that touches it, and a fin
+ * that touches it. */
 static void a_pane_lit_unevenly_is_the_sum_of_its_pieces(void **state)
 {
     (void)state;
@@ -473,8 +479,9 @@ static void a_pane_lit_unevenly_is_the_sum_of_its_pieces(void **state)
                          1.2, 0);
 }
 
-/* Lit once for the room or for the receiver the pane is the same, to the bit; and the
- * rough rule of averages is as good for it as method.h says, from 0.1 m to the back. */
+/* The illuminance of the pane, calculated once for the room or for the receiver, is
+ * identical. The approximate rule of averages is as accurate as stated in method.h,
+ * from 0.1 m to the back. */
 static void an_uneven_pane_is_the_same_prepared_and_roughly(void **state)
 {
     (void)state;
@@ -504,8 +511,8 @@ static void an_uneven_pane_is_the_same_prepared_and_roughly(void **state)
     pp_world_destroy(world);
 }
 
-/* Sky hidden by a block counts times rho under the overcast sky and half of rho under any
- * other. */
+/* Light of an obstruction that replaces the hidden sky: rho times that sky under the
+ * overcast sky, half of rho under any other. */
 static void hidden_sky_counts_by_the_reflectance_or_by_half_of_it(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* test_waldram_overlay.c - squares without glass, under an overlay of the glass. */
+/* test_waldram_overlay.c - squares of an unglazed diagram with an overlay for the
+ * glass. */
 #include "methods/waldram/waldram_squares.h"
 #include "methods/method.h"
 
@@ -22,8 +23,9 @@ static double at(const struct pp_world *world, const struct pp_outside_light *li
     return part.sky;
 }
 
-/* A roof window at any slope, or level, or a window, of clear and of double glass, at 300
- * random points: no bias beyond three standard errors, and no more than half a square off. */
+/* A roof window at any slope, a horizontal rooflight or a window, with single and
+ * double glass, at 300 random points: no bias beyond three standard errors, and errors
+ * of at most half a square. */
 static void squares_under_the_overlay_are_exact_and_unbiased(void **state)
 {
     (void)state;

@@ -32,12 +32,12 @@ static void the_whole_diagram_is_half_the_sky(void **state)
         struct pp_waldram waldram = made(skies[i], false);
         assert_near(pp_waldram_scale_total_area(&waldram), 0.5, 1e-9);
     }
-    /* With glass the product of losses gives 34.58 % where the integral is 31.63 %. */
+    /* With glass the product of losses gives 34.58 %, the integral 31.63 %. */
     struct pp_waldram glazed = made(pp_sky_overcast(), true);
     assert_near(pp_waldram_scale_total_area(&glazed), 0.3458, 5e-5);
 }
 
-/* Ordinates at 10 to 90 degrees over the zenith's, four printed digits. */
+/* Ordinates at 10 to 90 degrees divided by that of the zenith, four printed digits. */
 static void ordinates_as_published(void **state)
 {
     (void)state;
@@ -58,7 +58,7 @@ static void ordinates_as_published(void **state)
     }
 }
 
-/* Without glass, by altitude's sine, and with it, by altitude; of any length, and none below
+/* The ordinate of a direction vector of any length, with and without glass; zero below
  * the horizon. */
 static void the_ordinate_of_a_direction_is_that_of_its_altitude(void **state)
 {
@@ -77,8 +77,8 @@ static void the_ordinate_of_a_direction_is_that_of_its_altitude(void **state)
         }
 }
 
-/* Sky component of a rectangle with its sill in the point's plane and one jamb on the
- * normal, in closed form [TS93]. */
+/* Sky component of a rectangle with its sill in the plane of the point and one jamb on
+ * the normal, in closed form [TS93]. */
 static double corner(double w, double h, bool overcast)
 {
     double r = sqrt(1.0 + h * h + w * w), s = sqrt(1.0 + h * h);
@@ -114,8 +114,8 @@ static void what_lies_below_the_horizon_has_no_area(void **state)
     assert_near(rectangle(&waldram, &upright, -0.3, 1.1, -0.8, -0.1), 0.0, 1e-15);
 }
 
-/* A rooflight one unit above the point with a corner overhead, 15.9497 % overcast; all
- * four quarters of one round the zenith. */
+/* A rooflight one unit above the point with one corner overhead, 15.9497 % under the
+ * overcast sky, and a rooflight around the zenith with four such quarters. */
 static void rooflights_overhead_count_as_they_should(void **state)
 {
     (void)state;
@@ -126,7 +126,7 @@ static void rooflights_overhead_count_as_they_should(void **state)
     assert_near(rectangle(&waldram, &flat, 1e-9, 0.5, -2.0, -1e-9), 0.122905, 5e-7);
 }
 
-/* On its own axes the glazed diagram is exact: thin slits straight ahead. */
+/* On its axes the glazed diagram is exact: thin slits directly ahead. */
 static void losses_of_glass_are_right_straight_ahead(void **state)
 {
     (void)state;

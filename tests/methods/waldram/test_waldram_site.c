@@ -1,5 +1,5 @@
-/* test_waldram_site.c - sites drawn for an upright receiver: areas of sky are the vertical
- * sky component, and squares and marks count them without bias. */
+/* test_waldram_site.c - sites drawn for a vertical receiver: areas of sky are the
+ * vertical sky component; counts of squares and marks have no bias. */
 #include <stdio.h>
 
 #include "methods/exact/exterior.h"
@@ -20,7 +20,8 @@ static struct pp_waldram upright(struct pp_sky sky)
     return waldram;
 }
 
-/* 3/14 + 4/(7 pi) of the overcast sky, half of the uniform one: 396 squares of 0.1 %. */
+/* 3/14 + 4/(7 pi) under the overcast sky, half under the uniform sky: 396 squares of
+ * 0.1 %. */
 static void the_whole_diagram_is_the_open_skys_vertical_component(void **state)
 {
     (void)state;
@@ -31,8 +32,8 @@ static void the_whole_diagram_is_the_open_skys_vertical_component(void **state)
     assert_near(pp_waldram_scale_total_area(&uniform), 0.5, 1e-12);
 }
 
-/* The altitudes of equal shares of the overcast diagram, by summing L cos^2 in steps of
- * a thousandth of a degree. */
+/* Altitudes of equal shares of the diagram for the overcast sky, by a sum of L cos^2 in
+ * steps of a thousandth of a degree. */
 static void ordinates_are_the_sum_of_luminance_and_cosines(void **state)
 {
     (void)state;
@@ -57,8 +58,8 @@ static void ordinates_of_measured_skies_are_tabulated_alike(void **state)
                 1e-7);
 }
 
-/* A room whose window faces one of four ways, and up to four blocks, a skyline or a
- * balcony before it. */
+/* A room whose window faces one of four directions, with up to four blocks, a skyline
+ * or a balcony in front of it. */
 static struct pp_world *deal_site(struct dice *dice)
 {
     static const char *const walls[] = {"south", "east", "north", "west"};
@@ -99,7 +100,7 @@ static struct pp_world *deal_site(struct dice *dice)
     return pp_test_world(xml);
 }
 
-/* Sum of counts less the exact area. */
+/* Sum of differences between counts and the exact area. */
 struct bias {
     double sum, sum2;
     int count;
@@ -147,8 +148,8 @@ static double marked(const struct pp_world *world)
     return share;
 }
 
-/* Outlines, drawn to a thousandth of a square's side, keep their areas when they are
- * joined, and fill the diagram together. */
+/* Joined outlines, drawn to a thousandth of a square's side, keep their areas and
+ * together fill the diagram. */
 static void assert_joined(struct pp_waldram_site *site, double exact, double whole)
 {
     assert_int_equal(pp_waldram_site_join(site, NULL), PP_OK);
@@ -157,8 +158,8 @@ static void assert_joined(struct pp_waldram_site *site, double exact, double who
                 1e-5);
 }
 
-/* Squares carry their rounding on, which leaves half a tenth of a square; 80 marks of
- * 0.5 % miss by about one. */
+/* The rounding of squares is carried over, which leaves an error of 0.05 squares; 80
+ * marks of 0.5 % have an error of about one mark. */
 static void areas_of_random_sites_are_their_vertical_sky_component(void **state)
 {
     (void)state;
@@ -182,7 +183,7 @@ static void areas_of_random_sites_are_their_vertical_sky_component(void **state)
                                  world->openings[0].face, NULL),
             PP_OK);
         assert_near(site.sky_component, exact, 1e-6);
-        /* The open sky is always the same 396 squares and a fifth. */
+        /* The open sky always has 396.2 squares. */
         double whole = pp_waldram_scale_total_area(&waldram);
         if (exact < whole - 1e-9) {
             note(&squares, counted(&waldram, &site.sky) - exact);

@@ -1,4 +1,5 @@
-/* test_waldram_squares.c - squares counted on the diagram, against its exact areas. */
+/* test_waldram_squares.c - squares counted on the diagram, compared with its exact
+ * areas. */
 #include "methods/waldram/waldram_squares.h"
 
 #include "tests/lib/near.h"
@@ -6,7 +7,7 @@
 
 static const struct pp_window_axes upright = {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}};
 
-/* Numbers in [0, 1) from a seed, the same everywhere. */
+/* Pseudo-random number in [0, 1), the same on all machines. */
 static double next(uint64_t *seed)
 {
     *seed = *seed * 6364136223846793005u + 1442695040888963407u;
@@ -14,7 +15,7 @@ static double next(uint64_t *seed)
 }
 
 struct tally {
-    double exact, parts, squares, outline; /* outline: in sides of a square */
+    double exact, parts, squares, outline; /* outline: length in sides of a square */
 };
 
 static struct tally count_ring(const struct pp_waldram *waldram,
@@ -53,8 +54,8 @@ static struct tally count_rectangle(const struct pp_waldram *waldram,
     return count_ring(waldram, axes, xy, 4);
 }
 
-/* Rest of a rectangle behind a gabled house: its outline stands at parts of the width and
- * height. */
+/* Rest of a rectangle behind a house with a gable. The outline of the house is given in
+ * fractions of the width and height. */
 static struct tally count_obstructed(const struct pp_waldram *waldram, double x0,
                                      double x1, double y0, double y1,
                                      const double at[4])
@@ -69,8 +70,8 @@ static struct tally count_obstructed(const struct pp_waldram *waldram, double x0
     return count_ring(waldram, &upright, xy, 9);
 }
 
-/* Droop lines are drawn to a thousandth of a square's side, bulges with their own
- * area. */
+/* Droop lines are drawn to a thousandth of a square's side; curved parts have their
+ * exact area. */
 static void parts_of_squares_add_up_to_the_exact_area(void **state)
 {
     (void)state;
@@ -87,9 +88,9 @@ static void parts_of_squares_add_up_to_the_exact_area(void **state)
     }
 }
 
-/* 20,000 windows, fewer in short runs, every other one obstructed: no bias beyond three standard errors of
- * the mean, and a spread of no more than 0.05 of the square root of the outline's
- * length. */
+/* 20,000 windows (fewer in short runs), every other one obstructed: no bias beyond
+ * three standard errors of the mean, and a spread of at most 0.05 of the square root of
+ * the outline's length. */
 static void counts_are_unbiased_and_close(void **state)
 {
     (void)state;
@@ -122,7 +123,8 @@ static void counts_are_unbiased_and_close(void **state)
     }
 }
 
-/* A rooflight round the zenith: every azimuth, and more than half the sky's squares. */
+/* A rooflight around the zenith: all azimuths, and more than half of the squares of the
+ * sky. */
 static void a_rooflight_overhead_is_counted_all_round(void **state)
 {
     (void)state;
@@ -134,7 +136,7 @@ static void a_rooflight_overhead_is_counted_all_round(void **state)
     assert_near(tally.exact, 4 * 159.497, 0.002);
     assert_near(tally.parts, tally.exact, 1e-5 * tally.outline);
     assert_near(tally.squares, tally.exact, 1.0);
-    /* To one side, and behind: the outline crosses 180 degrees. */
+    /* To one side, and behind the point: the outline crosses 180 degrees. */
     tally = count_rectangle(&waldram, &flat, -0.7, 0.4, 0.3, 1.9);
     assert_near(tally.parts, tally.exact, 1e-5 * tally.outline);
 }

@@ -1,5 +1,6 @@
-/* test_cache_agree.c - records that agree with their neighbours: noise becomes less,
- * what is known does not change, and what stands apart keeps its own. */
+/* test_cache_agree.c - smoothing of records with their neighbours: noise decreases,
+ * exact values do not change, and records with different surroundings keep their own
+ * values. */
 #include <stdlib.h>
 
 #include "simulate/cache/cache_parts.h"
@@ -24,13 +25,13 @@ static void clear(struct pp_cache_layer *layer)
     free(layer->entries);
 }
 
-/* Between -1 and 1, the same each time. */
+/* Pseudo-random number between -1 and 1, the same for each run. */
 static double random_of(uint64_t i)
 {
     return 2.0 * (double)(pp_hash(i, 5) >> 11) * 0x1p-53 - 1.0;
 }
 
-/* At the edge of its ellipse light may depart from its tangent by a tenth of the
+/* At the edge of its ellipse a record may deviate from its tangent by a tenth of the
  * noise. */
 static struct pp_cache_entry record_at(double x, double y, double value, double along_x)
 {
@@ -52,7 +53,7 @@ static struct pp_cache_entry record_at(double x, double y, double value, double 
     return entry;
 }
 
-/* E = 2.3 + 0.4 x on the floor, with so much noise in values and gradients. */
+/* E = 2.3 + 0.4 x on the floor, with this noise in values and gradients. */
 static void fill(struct pp_cache_layer *layer, double noise)
 {
     for (int i = 0; i < COUNT; i++) {
@@ -73,7 +74,7 @@ static double value_at(const struct pp_cache_layer *layer, double x, double y)
     return value.g / 0.7;
 }
 
-/* The root mean square of relative errors, all over. */
+/* Root mean square of the relative errors of all records. */
 static double error_of(const struct pp_cache_layer *layer)
 {
     double sum = 0.0;
@@ -105,8 +106,9 @@ static void a_plane_of_light_stays_what_it_is(void **state)
     clear(&layer);
 }
 
-/* Twelve neighbours and the record itself: noise by more than half. Done again nothing
- * changes: it starts from what the records found. */
+/* The mean of a record and twelve neighbours reduces noise by more than half. A
+ * repetition changes nothing, since it starts from the original values of the
+ * records. */
 static void noise_becomes_less(void **state)
 {
     (void)state;
@@ -122,8 +124,8 @@ static void noise_becomes_less(void **state)
     clear(&layer);
 }
 
-/* A dark record among bright ones, a bright one among dark ones, and one that a wall
- * stands before, keep what they have and give nothing away. */
+/* A dark record among bright records, a bright record among dark records, and a record
+ * behind a wall keep their values and do not influence others. */
 static void what_sees_something_else_stands_alone(void **state)
 {
     (void)state;
@@ -144,7 +146,7 @@ static void what_sees_something_else_stands_alone(void **state)
     }
 }
 
-/* Where light may change by more than the noise each speaks for itself. */
+/* If the light can change by more than the noise, every record keeps its own value. */
 static void where_light_changes_quickly_neighbours_have_no_say(void **state)
 {
     (void)state;

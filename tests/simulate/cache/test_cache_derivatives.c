@@ -1,5 +1,5 @@
-/* test_cache_derivatives.c - how irradiance changes beside a luminous patch, against
- * Lambert's formula. */
+/* test_cache_derivatives.c - the gradient of irradiance beside a luminous patch,
+ * compared with Lambert's formula. */
 #include "simulate/cache/cache_derivatives.h"
 
 #include <stdlib.h>
@@ -12,12 +12,13 @@
 
 enum { SIDE = 128 };
 
-/* A square of 1.1 x 0.8 m, 1.3 m over the floor and off to one side; it shines down. */
+/* A square of 1.1 x 0.8 m, 1.3 m above the floor and to one side, which emits
+ * downwards. */
 static const struct pp_vec3 patch[4] = {
     {0.2, -0.3, 1.3}, {0.2, 0.5, 1.3}, {1.3, 0.5, 1.3}, {1.3, -0.3, 1.3}};
 static const double radiance = 0.7;
 
-/* One edge's share of (1) in the header, from its own closed form. */
+/* Contribution of one edge to equation (1) of the header, by its own closed form. */
 static double edge_share(struct pp_vec3 r0, struct pp_vec3 r1)
 {
     struct pp_vec3 across = pp_vec_cross(r0, r1);
@@ -25,7 +26,7 @@ static double edge_share(struct pp_vec3 r0, struct pp_vec3 r1)
     return 0.5 * angle * across.z / pp_vec_length(across);
 }
 
-/* Light of the patch on the floor at (x, y), by Lambert. */
+/* Irradiance of the floor at (x, y) from the patch, by Lambert's formula. */
 static double irradiance_at(double x, double y)
 {
     struct pp_vec3 from = pp_vec(x, y, 0.0);
@@ -36,9 +37,8 @@ static double irradiance_at(double x, double y)
     return fabs(sum) * radiance;
 }
 
-/* The same on a surface that leans by an angle to an azimuth, all of the patch being
- * over its horizon: the scene is turned about it, and Lambert's formula is for a
- * floor. */
+/* Irradiance of a surface tilted by `lean` towards `azimuth`; the whole patch is above
+ * its horizon. The scene is rotated instead, since the formula is for a floor. */
 static double irradiance_leaning(double x, double y, double azimuth, double lean)
 {
     double sum = 0.0, c = cos(azimuth), s = sin(azimuth);
@@ -55,7 +55,7 @@ static double irradiance_leaning(double x, double y, double azimuth, double lean
     return fabs(sum) * radiance;
 }
 
-/* The floor is there so that there is a scene; the quadrangle is `glow`. */
+/* The quadrangle has the material `glow`; the floor makes the scene complete. */
 static struct pp_light_scene *shining_on_floor(const struct pp_vec3 shines[4])
 {
     struct pp_scene_description from;
@@ -83,13 +83,14 @@ static struct pp_light_scene *patch_over_floor(void)
     return shining_on_floor(patch);
 }
 
-/* Central differences of step 1e-4: their own error is 1e-8 of the third derivative. */
+/* Central differences with a step of 1e-4, whose error is 1e-8 of the third
+ * derivative. */
 static void an_edge_changes_as_its_closed_form_does(void **state)
 {
     (void)state;
     const struct pp_vec3 ends[][2] = {
         {{0.7, -0.4, 1.1}, {0.2, 0.9, 0.8}},
-        {{1.9, 0.3, 0.2}, {0.6, 0.1, 0.05}}, /* nearly in line with the place */
+        {{1.9, 0.3, 0.2}, {0.6, 0.1, 0.05}}, /* nearly in line with the point */
         {{-0.3, 0.2, 0.01}, {-0.1, -0.4, 0.02}},
     };
     const double h = 1e-4;
@@ -115,9 +116,9 @@ static void an_edge_changes_as_its_closed_form_does(void **state)
     }
 }
 
-/* The patch's outline follows the cells' edges in steps: about 1 % with 128 x 128. Of its
- * 1,150 cells some 180 are cut by the outline, and each is in or out by chance: 0.5 % of
- * the irradiance (one standard error). */
+/* The outline of the patch follows the edges of cells in steps: an error of about 1 %
+ * with 128 x 128 cells. The outline cuts 180 of the 1,150 cells, which are counted or
+ * not at random: 0.5 % of the irradiance (one standard error). */
 static void a_hemisphere_knows_how_a_patchs_light_changes(void **state)
 {
     (void)state;
@@ -140,7 +141,7 @@ static void a_hemisphere_knows_how_a_patchs_light_changes(void **state)
     double across = (irradiance_at(x, y + d) - irradiance_at(x, y - d)) / (2 * d);
     double aa = (irradiance_at(x + d, y) - 2 * e + irradiance_at(x - d, y)) / (d * d);
     double bb = (irradiance_at(x, y + d) - 2 * e + irradiance_at(x, y - d)) / (d * d);
-    /* The frame about +z is x, y. */
+    /* The frame about +z has the axes x and y. */
     assert_near(h.frame.x.x, 1.0, 1e-12);
     assert_near(h.irradiance.g, e, 1.5e-2 * e);
     assert_near(change.along[1][0], along, 0.02 * fabs(along));
@@ -148,7 +149,8 @@ static void a_hemisphere_knows_how_a_patchs_light_changes(void **state)
     assert_near(change.curvature[0], aa, 0.05 * fabs(bb));
     assert_near(change.curvature[2], bb, 0.05 * fabs(bb));
 
-    /* Leaning to x and to y, to 3e-3 of the steepest: the cells' sampling. */
+    /* Tilted towards x and y, to 3e-3 of the steepest gradient, because of the sampling
+     * by cells. */
     double to_x = irradiance_leaning(x, y, 0.0, d) - irradiance_leaning(x, y, 0.0, -d);
     double to_y = irradiance_leaning(x, y, 0.5 * PP_PI, d)
                   - irradiance_leaning(x, y, 0.5 * PP_PI, -d);
@@ -160,9 +162,9 @@ static void a_hemisphere_knows_how_a_patchs_light_changes(void **state)
     pp_light_scene_destroy(scene);
 }
 
-/* A screen that stands on the floor, 1.1 m off and more to one side, goes down to the
- * horizon: its foot is an edge of the hemisphere itself. Lambert's formula has it as any
- * other edge. Steps of the cells as above. */
+/* A screen on the floor, 1.1 m away and mostly to one side, extends to the horizon: its
+ * lower edge is on the edge of the hemisphere. Lambert's formula includes it like any
+ * other edge. The steps of the cells are as above. */
 static void a_hemisphere_knows_what_stands_on_its_horizon(void **state)
 {
     (void)state;
@@ -206,8 +208,8 @@ static void a_hemisphere_knows_what_stands_on_its_horizon(void **state)
     pp_light_scene_destroy(scene);
 }
 
-/* Read with a normal that leans by t, a record changes as the light does, but for
- * (1 - cos t) of its value, the second order, and noise of 1 % of the change. */
+/* Read with a normal tilted by t, a record changes like the irradiance, except for the
+ * second order, (1 - cos t) of its value, and noise of 1 % of the change. */
 static void a_record_is_read_by_a_leaning_surface(void **state)
 {
     (void)state;
@@ -243,8 +245,8 @@ static void a_record_is_read_by_a_leaning_surface(void **state)
     pp_light_scene_destroy(scene);
 }
 
-/* Value and gradient leave the second order: the error of what a record says grows as
- * the square of the distance. Fitted over half a decade. */
+/* Value and gradient leave an error of second order: it grows with the square of the
+ * distance. Fitted over half a decade. */
 static void beside_a_record_the_error_is_of_second_order(void **state)
 {
     (void)state;
@@ -291,7 +293,7 @@ static void beside_a_record_the_error_is_of_second_order(void **state)
     pp_light_scene_destroy(scene);
 }
 
-/* R = (4 e / (pi l))^(1/4): for e = pi/4 and l = 16, 1/2. */
+/* R = (4 e / (pi l))^(1/4) is 1/2 for e = pi/4 and l = 16. */
 static void an_ellipse_is_short_where_curvature_is_great(void **state)
 {
     (void)state;
@@ -301,13 +303,13 @@ static void an_ellipse_is_short_where_curvature_is_great(void **state)
     assert_near(radii[0], 0.5, 1e-12);
     assert_near(radii[1], 1.0, 1e-12);
     assert_near(fabs(axes[0][1]), 1.0, 1e-12);
-    /* Turned by 30 degrees. */
+    /* Rotated by 30 degrees. */
     double c = cos(PP_PI / 6), s = sin(PP_PI / 6);
     const double turned[3] = {16 * c * c + s * s, 15 * c * s, 16 * s * s + c * c};
     pp_cache_record_ellipse(turned, PP_PI / 4, 10.0, radii, axes);
     assert_near(radii[0], 0.5, 1e-12);
     assert_near(fabs(axes[0][0] * c + axes[0][1] * s), 1.0, 1e-12);
-    /* Flat: as large as allowed. */
+    /* Without curvature: the largest radius allowed. */
     const double flat[3] = {0.0, 0.0, 0.0};
     pp_cache_record_ellipse(flat, PP_PI / 4, 3.7, radii, axes);
     assert_near(radii[0], 3.7, 1e-12);

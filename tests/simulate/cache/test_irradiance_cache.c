@@ -1,5 +1,5 @@
-/* test_irradiance_cache.c - what the cache says of furnaces and rooms, its order, and
- * its files. */
+/* test_irradiance_cache.c - cached irradiance in furnaces and rooms, the order of
+ * records, and cache files. */
 #include "simulate/cache/cache_file.h"
 #include "simulate/cache/cache_grow.h"
 #include "simulate/cache/irradiance_cache.h"
@@ -15,7 +15,7 @@
 #include "tests/lib/traced.h"
 #include "tests/lib/sized.h"
 
-/* A closed box of 2.3 x 3.1 x 1.7 m whose walls reflect 0.5 and glow. */
+/* A closed box of 2.3 x 3.1 x 1.7 m whose walls reflect 0.5 and emit light. */
 static struct pp_light_scene *furnace(void)
 {
     struct pp_scene_description from;
@@ -45,7 +45,7 @@ static struct pp_light_scene *furnace(void)
     return scene;
 }
 
-/* environment: of a world's scene. */
+/* environment: light outside the scene of a world. */
 static struct pp_irradiance_cache *new_cache(const struct pp_light_scene *scene,
                                              const struct pp_environment *environment,
                                              const struct pp_cache_options *options)
@@ -72,7 +72,8 @@ static bool listed_ray(const void *list, size_t number, struct pp_light_ray *ray
     return true;
 }
 
-/* Rays from a point in the room all over the sphere, as a picture would send them. */
+/* Reads the cache along rays in all directions from a point in the room, as for a
+ * picture. */
 static void see_all_round(struct pp_irradiance_cache *cache, struct pp_vec3 eye,
                           enum pp_space space)
 {
@@ -97,9 +98,9 @@ static double value_at(const struct pp_irradiance_cache *cache, double x, double
     return value.g;
 }
 
-/* In a box that glows with L and reflects rho, after k bounces the irradiance is
- * pi L (1 - rho^k)/(1 - rho); with the radiance of the whole, L/(1 - rho), standing for
- * the rest it is the whole for any k. Exact where no path is cut by chance. */
+/* In a box that emits L and reflects rho, the irradiance after k bounces is pi L (1 -
+ * rho^k)/(1 - rho). If the rest is replaced by the total radiance, L/(1 - rho), it is
+ * the total for any k. Exact if no path ends at random. */
 static void a_furnace_after_so_many_bounces(void **state)
 {
     (void)state;
@@ -122,7 +123,7 @@ static void a_furnace_after_so_many_bounces(void **state)
     pp_light_scene_destroy(scene);
 }
 
-/* Without a limit paths end by chance: 400 of them at each of many records. */
+/* Without a limit paths end at random: 400 paths for each of many records. */
 static void a_furnace_to_the_end(void **state)
 {
     (void)state;
@@ -146,8 +147,9 @@ static const char *const parted =
     "<vertex x='3.1' y='2.9' z='0'/><vertex x='3.1' y='2.9' z='2.6'/>"
     "<vertex x='0' y='2.9' z='2.6'/></surface></room>";
 
-/* A sheet without thickness parts a dark half from a lit one: not a thousandth of the
- * light passes, right up to it, although the floor runs through beneath. */
+/* A sheet without thickness separates a dark half from a lit half: less than a
+ * thousandth of the light passes, even close to the sheet, although the floor continues
+ * below it. */
 static void no_light_passes_a_partition(void **state)
 {
     (void)state;
@@ -296,7 +298,8 @@ static void a_file_gives_back_what_was_kept_or_nothing(void **state)
     pp_irradiance_cache_destroy(strange);
     pp_environment_destroy(evenly);
 
-    /* Read back, the same wishes bring no record more, and the same bytes come out. */
+    /* After reading the file, the same requests add no record, and the file written is
+     * identical. */
     assert_int_equal(unpack(cache, bytes, length, NULL), PP_OK);
     assert_true(pp_irradiance_cache_count(cache) > 20);
     see_all_round(cache, pp_vec(2.0, 2.5, 1.3), PP_INDOORS);
@@ -313,7 +316,8 @@ static void a_file_gives_back_what_was_kept_or_nothing(void **state)
     pp_world_destroy(other);
 }
 
-/* The room's points through the cache, one thread; free them. */
+/* Readings of the room's points with the cache, in one thread; the caller frees
+ * them. */
 static struct pp_reading (*cached(const struct pp_world *world,
                                   const struct pp_outside_light *light,
                                   const struct pp_cache_options *cache_options,
@@ -349,8 +353,8 @@ static struct pp_reading (*cached(const struct pp_world *world,
     return readings;
 }
 
-/* Two blocks leave a slit of 0.25 mm: the sky that the points see by it is some 1e-6, and
- * no path finds it; but none can say that there is none. */
+/* Two blocks leave a gap of 0.25 mm, through which the points see about 1e-6 of the
+ * sky. No path finds this light, but the result must not claim that there is none. */
 static void what_a_slit_lets_in_is_never_said_to_be_nothing(void **state)
 {
     (void)state;
@@ -374,8 +378,9 @@ static void what_a_slit_lets_in_is_never_said_to_be_nothing(void **state)
     pp_world_destroy(world);
 }
 
-/* Two routes to one number: within 3 % or 0.005 % daylight factor at each point, and
- * 1 % on the mean, with 0.3 % of noise; interpolated at the points or not. */
+/* Two independent estimates agree within 3 % or a daylight factor of 0.005 % at each
+ * point, and 1 % on average, with a noise of 0.3 %, with and without interpolation at
+ * the points. */
 static void a_room_is_as_light_as_by_paths(void **state)
 {
     (void)state;
@@ -402,7 +407,7 @@ static void a_room_is_as_light_as_by_paths(void **state)
             assert_near(found[i][PP_DF].value, df, fmax(0.03 * df, 5e-5));
             for (int c = PP_SC; c <= PP_ERC; c++)
                 assert_near(found[i][c].value, true_ones[i][c].value, 0.01 * df);
-            /* An error is of samples, and said where all is sampled. */
+            /* A standard error is reported only if all light is sampled. */
             assert_true(isfinite(found[i][PP_SC].std_error));
             assert_int_equal(isnan(found[i][PP_IRC].std_error), interpolate);
             assert_int_equal(isnan(found[i][PP_DF].std_error), interpolate);
@@ -419,9 +424,9 @@ static void a_room_is_as_light_as_by_paths(void **state)
     pp_world_destroy(world);
 }
 
-/* Looked at exactly where wall and ceiling meet, a place has what it sees at no
- * distance, and how fast that changes has no bound. A record there is of numbers all
- * the same, and within its radii nowhere says more than twice its value. */
+/* At a point exactly on the edge between wall and ceiling, the light comes from
+ * distance zero, and its gradient has no limit. The record must contain finite numbers
+ * and, within its radii, give at most twice its value. */
 static void a_record_on_an_edge_is_of_numbers(void **state)
 {
     (void)state;
@@ -449,7 +454,7 @@ static void a_record_on_an_edge_is_of_numbers(void **state)
         struct pp_cache_record is = pp_irradiance_cache_record(cache, i);
         double x = is.radii_m[0] * pp_vec_dot(is.along[0], is.axes[0]);
         double y = is.radii_m[1] * pp_vec_dot(is.along[0], is.axes[1]);
-        assert_true(hypot(x, y) <= is.value.r * (1.0 + 1e-12)); /* no NAN, too */
+        assert_true(hypot(x, y) <= is.value.r * (1.0 + 1e-12)); /* also rejects NAN */
         on_edge += is.point.x < 1e-6 && fmin(is.point.z, 2.8 - is.point.z) < 1e-6;
     }
     assert_true(on_edge > 10);
@@ -459,9 +464,9 @@ static void a_record_on_an_edge_is_of_numbers(void **state)
     pp_world_destroy(world);
 }
 
-/* Far along a corridor few of a record's rays end in the light: its spread over seeds
- * is within some per cent all the same (8.7 % of 200). One pass of 1,024 rays leaves
- * 16 %. */
+/* At the end of a long corridor few rays of a record find light, but its spread over
+ * seeds must remain below some per cent (8.7 % for 200 seeds). One pass of 1,024 rays
+ * gives 16 %. */
 static void a_record_that_is_unsure_gets_more_rays(void **state)
 {
     (void)state;
@@ -504,10 +509,11 @@ static void a_record_that_is_unsure_gets_more_rays(void **state)
     pp_world_destroy(world);
 }
 
-/* Low on a wall, far from the window: how many passes a hemisphere has is decided by what
- * its rays bring, and does not draw its mean up or down. 4,000 times 1,024 paths gave
- * 0.002700 with a standard error of 0.05 %, the mean of 900 hemispheres has one of
- * 0.2 %; were a row's passes decided by its own rays, it would lack 1.0 %. */
+/* A point low on a wall, far from the window. The number of passes of a hemisphere
+ * depends on the results of its rays, which must not bias its mean. 4,000 times 1,024
+ * paths gave 0.002700 with a standard error of 0.05 %; the mean of 900 hemispheres has
+ * one of 0.2 %. If a row's own rays decided the number of its passes, the mean would be
+ * 1.0 % too low. */
 static void a_dark_hemispheres_mean_is_that_of_paths(void **state)
 {
     (void)state;
@@ -545,7 +551,8 @@ static void a_dark_hemispheres_mean_is_that_of_paths(void **state)
     pp_world_destroy(world);
 }
 
-/* With everything left out that reflects, only sky and what stands outside are left. */
+/* If all reflecting materials are left out, only the sky and objects outside
+ * contribute. */
 static void materials_left_out_reflect_nothing(void **state)
 {
     (void)state;
@@ -573,9 +580,10 @@ static void materials_left_out_reflect_nothing(void **state)
     pp_world_destroy(world);
 }
 
-/* Without bounces a point gets nothing reflected, but pi times the ambient constant, on
- * average too, interpolated or not; with one, what surfaces lit by the windows send to
- * it, as by paths of one reflection. */
+/* Without bounces a point receives no reflected light, only pi times the ambient
+ * constant, also on average, with and without interpolation. With one bounce it
+ * receives the light of surfaces lit by the windows, as from paths with one
+ * reflection. */
 static void bounces_are_counted_from_the_point_on(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_planner.c - values and standard errors of samplers whose truth is known on
- * paper. */
+/* test_planner.c - values and standard errors of samplers with known expected
+ * values. */
 #include "simulate/estimate/planner.h"
 
 #include <stdlib.h>
@@ -8,8 +8,9 @@
 #include "simulate/sampling/hash.h"
 #include "tests/lib/near.h"
 
-/* A point's paths bring 1/chance with that chance, else nothing: the mean is 1, whatever
- * the chance; it has 0 for a point that no light reaches. Values are that times scale. */
+/* Paths of a point return 1/chance with this probability, otherwise 0: the mean is 1
+ * for any probability. chance = 0 is a point without light. Values are multiplied by
+ * `scale`. */
 struct rare {
     double chance[4], scale[4];
     uint64_t seed;
@@ -34,7 +35,7 @@ static void follow(const void *client, void *state, const struct pp_path_range *
     double chance = rare->chance[range->point];
     (void)state;
     for (uint32_t i = range->first; i < range->end; i++) {
-        /* Independent numbers: the net would hit nearly equally often. */
+        /* Independent numbers: a low-discrepancy net would give nearly equal counts. */
         double u = (double)(pp_hash(range->sequence.seed, i) >> 11) * 0x1p-53;
         randomisation->sums[0] += u < chance ? 1.0 / chance : 0.0;
         randomisation->rays[0]++;
@@ -98,7 +99,7 @@ static void run(const struct rare *rare, int points, struct pp_planner_options o
     pp_planner_destroy(planner);
 }
 
-/* ---- by hand ---- */
+/* ---- worked by hand ---- */
 
 /* Means 1, 2, 3 and 6 of four randomisations: mean 3, variance 14/3, standard error
  * sqrt(14/3 / 4 x 3/1) = sqrt(3.5). */
@@ -119,9 +120,9 @@ static void a_standard_error_is_students(void **state)
     assert_true(isnan(first_of(&sampled).std_error));
 }
 
-/* Even ones 1, 2, 1, 2 (mean 1.5, variance 1/3), odd ones 3, 5, 4, 3, 5, 4 (mean 4,
- * variance 4/5): the value is (1.5 + 4)/2 and not the mean of ten; its error is half the
- * root of 1/3/4 x 3/1 + 4/5/6 x 5/3. */
+/* Even randomisations 1, 2, 1, 2 (mean 1.5, variance 1/3), odd ones 3, 5, 4, 3, 5, 4
+ * (mean 4, variance 4/5). The value is (1.5 + 4)/2, not the mean of all ten; its error
+ * is half the square root of 1/3/4 x 3/1 + 4/5/6 x 5/3. */
 static void halves_weigh_the_same_whatever_their_sizes(void **state)
 {
     (void)state;
@@ -140,9 +141,10 @@ static void halves_weigh_the_same_whatever_their_sizes(void **state)
 
 /* ---- over seeds ---- */
 
-/* Paths of which one in 40 brings anything, to 5 %: so skewed that a rule that stops by
- * the value's own error is 1 % off. 1,500 seeds tell the mean to 0.13 %, the frequencies
- * to 1.2 and 0.6 %; limits at three and at four of these. */
+/* One path in 40 returns a value; target 5 %. The distribution is so skewed that a rule
+ * that stops at the value's own error has a bias of 1 %. 1,500 seeds determine the mean
+ * to 0.13 %, the frequencies to 1.2 and 0.6 %; the limits are three and four times
+ * these. */
 static void skewed_values_are_unbiased_and_their_errors_true(void **state)
 {
     (void)state;
@@ -167,8 +169,8 @@ static void skewed_values_are_unbiased_and_their_errors_true(void **state)
     assert_in_range(1000 * within_2 / SEEDS, 930, 970);
 }
 
-/* One path in 500 brings light, and 20 % is enough: a pilot of 256 paths has seen
- * nothing, or far too much. It grows until it knows. */
+/* One path in 500 finds light, and the target is 20 %: a pilot of 256 paths finds none,
+ * or far too much. The pilot grows until it is sufficient. */
 static void a_pilot_that_saw_nothing_grows(void **state)
 {
     (void)state;
@@ -203,7 +205,7 @@ static void what_was_never_found_is_bounded(void **state)
     assert_true(reading.std_error > 0.0 && reading.std_error <= 0.05);
 }
 
-/* ---- what values depend on ---- */
+/* ---- independence of values ---- */
 
 static const struct rare four = {{0.3, 0.01, 0.001, 0.7}, {1.0, 2.0, 3.0, 4.0}, 5};
 
@@ -228,7 +230,7 @@ static void threads_and_slices_change_nothing(void **state)
         }
 }
 
-/* The points beside may need larger pilots and more paths: this one gets its own. */
+/* Other points may need larger pilots and more paths, but do not change this point. */
 static void a_point_depends_on_no_other(void **state)
 {
     (void)state;
@@ -275,16 +277,16 @@ static void a_restart_forgets_the_points(void **state)
     pp_planner_destroy(planner);
 }
 
-/* ---- what points share ---- */
+/* ---- data shared by points ---- */
 
-/* Points made ready, and how often paths asked for more. */
+/* Counts the prepared points, and the paths that need points not yet prepared. */
 struct ready {
     int stage, first, count, missed;
     uint32_t paths[128];
 };
 
 struct sharing {
-    struct rare rare; /* first: the sampler's functions ask it */
+    struct rare rare; /* must be first: the functions of the sampler use it */
     struct ready *ready;
 };
 
@@ -318,9 +320,9 @@ static void follow_ready(const void *client, void *state,
     follow(client, state, range, randomisation);
 }
 
-/* Half of the paths bring 2: at 1 % of the mean of 1 that takes 1/0.01^2 paths, and at
- * most 32 of them may go into a randomisation. So there are some 10,000/32 of those, in
- * several batches, all of them made ready before. */
+/* Half of the paths return 2: 1 % of the mean of 1 requires 1/0.01^2 paths, at most 32
+ * in each randomisation. About 10,000/32 randomisations in several batches are
+ * therefore needed; their shared data must be prepared in advance. */
 static void what_points_share_is_ready_when_they_are_followed(void **state)
 {
     (void)state;

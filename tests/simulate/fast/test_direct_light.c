@@ -1,4 +1,5 @@
-/* test_direct_light.c - direct light alone is what the tracer of all light has of it. */
+/* test_direct_light.c - direct light calculated alone equals the direct light in the
+ * full simulation. */
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
 
@@ -9,7 +10,7 @@ static const char street[] =
     "<block x='-9' y='-14' width='21' depth='5' height='8' reflectance='0.4'/>"
     "<point x='1.2' y='1.1'/><point x='2.3' y='5.7'/></room>";
 
-/* With so many paths and one seed both follow the same ones. */
+/* With this number of paths and the same seed, both use the same paths. */
 static void components_are_those_of_the_whole(void **state)
 {
     (void)state;
@@ -36,8 +37,8 @@ static void components_are_those_of_the_whole(void **state)
     pp_world_destroy(world);
 }
 
-/* The error asked for is over sky and externally reflected component together. Both
- * share their paths, so that their errors need not add up as squares. */
+/* The target error applies to the sum of sky component and externally reflected
+ * component. Both use the same paths, so their errors need not add as squares. */
 static void the_error_is_over_the_sum(void **state)
 {
     (void)state;
@@ -60,7 +61,7 @@ static void the_error_is_over_the_sum(void **state)
     pp_world_destroy(world);
 }
 
-/* In a room without windows. */
+/* A room without windows. */
 static void where_none_comes_there_is_none(void **state)
 {
     (void)state;

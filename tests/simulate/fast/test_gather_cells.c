@@ -1,4 +1,5 @@
-/* test_gather_cells.c - cells and rays of the lobe together gather what a closed form says. */
+/* test_gather_cells.c - cells and rays of the cosine lobe together give the value of a
+ * closed form. */
 #include "simulate/fast/gather_cells.h"
 
 #include <math.h>
@@ -8,14 +9,14 @@
 #include "simulate/fast/path.h"
 #include "tests/lib/guessed_room.h"
 
-/* No rectangles but the walls; two openings in one of these. */
+/* The walls are the only rectangles; one of them has two openings. */
 #define TRAPEZIUM                                                                      \
     "<room version='1'><plan height='2.6'><vertex x='0' y='0'/><vertex x='4' y='0'/>"  \
     "<vertex x='3' y='7'/><vertex x='0' y='7'/></plan>"                                \
     "<window wall='1' left='0.4' sill='0.9' width='1.1' height='1.2'/>"                \
     "<window wall='1' left='2.2' sill='0.5' width='0.9' height='1.9'/></room>"
 
-/* The guess: so much on the face, and on all others. */
+/* Sets the estimated radiosity of one face, and of all others. */
 static void guess(struct pp_test_guessed_room *room, int face, double there,
                   double elsewhere)
 {
@@ -26,7 +27,7 @@ static void guess(struct pp_test_guessed_room *room, int face, double there,
     }
 }
 
-/* The face whose normal, into the room, is that one. */
+/* The face with this normal, which points into the room. */
 static int face_with(const struct pp_test_guessed_room *room, struct pp_vec3 normal)
 {
     int face = 0;
@@ -35,7 +36,7 @@ static int face_with(const struct pp_test_guessed_room *room, struct pp_vec3 nor
     return face;
 }
 
-/* The form factor to the face's surface, its openings apart. */
+/* Form factor to the surface of the face without its openings. */
 static double face_factor(const struct pp_test_guessed_room *room, int face,
                           const struct pp_start *start)
 {
@@ -62,7 +63,7 @@ struct gathered {
     double value, error, by_cells;
 };
 
-/* By 32 nets, and 256 rays beside each. */
+/* Gathers with 32 nets, and with 256 rays for each. */
 static struct gathered gather(const struct pp_test_guessed_room *room,
                               const struct pp_start *start)
 {
@@ -104,8 +105,9 @@ static struct pp_start start_at(const struct pp_test_guessed_room *room,
                              .normal = normal};
 }
 
-/* Where one face alone gives off 1, a point gathers the form factor to it: from the middle, a
- * centimetre beside a wall, in a corner of the floor, and at a tilt. */
+/* If only one face emits, with an exitance of 1, a point gathers the form factor to
+ * this face: from the middle, a centimetre from a wall, in a corner of the floor, and
+ * tilted. */
 static void a_face_is_gathered_by_its_form_factor(void **state)
 {
     (void)state;
@@ -129,8 +131,8 @@ static void a_face_is_gathered_by_its_form_factor(void **state)
     pp_test_guessed_room_clear(&room);
 }
 
-/* Over the centre of a floor of 4 x 4 m, 2 m below the ceiling: four corners, each
- * 1/(2 pi) 2 (1/sqrt 2) atan(1/sqrt 2) = 0.138532, are 0.554126. */
+/* Above the centre of a floor of 4 x 4 m, 2 m below the ceiling: four corners, each
+ * 1/(2 pi) 2 (1/sqrt 2) atan(1/sqrt 2) = 0.138532, give 0.554126. */
 static void a_ceiling_is_gathered_by_hand(void **state)
 {
     (void)state;
@@ -146,7 +148,7 @@ static void a_ceiling_is_gathered_by_hand(void **state)
     pp_test_guessed_room_clear(&room);
 }
 
-/* A guess as bright everywhere is gathered by the lobe without noise. */
+/* A uniform estimate is gathered by the lobe without noise. */
 static void an_even_guess_is_left_to_the_lobe(void **state)
 {
     (void)state;
@@ -162,8 +164,8 @@ static void an_even_guess_is_left_to_the_lobe(void **state)
     pp_test_guessed_room_clear(&room);
 }
 
-/* From the back of a room the cells gather what the wall at the window gives off; a wall a
- * centimetre away is left to the lobe for the most part. */
+/* From the back of a room the cells gather the light of the window wall; the light of a
+ * wall a centimetre away mostly comes from rays of the lobe. */
 static void cells_gather_from_far(void **state)
 {
     (void)state;

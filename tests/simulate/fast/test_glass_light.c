@@ -1,4 +1,4 @@
-/* test_glass_light.c - openings that show in the glass of others. */
+/* test_glass_light.c - openings mirrored in the glass of other openings. */
 #include <math.h>
 
 #include "simulate/scene/light_scene_parts.h"
@@ -7,8 +7,8 @@
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
 
-/* All is black but the glass of two windows in walls at right angles: light that it has
- * mirrored once comes to no glass again. */
+/* All surfaces are black except the glass of two windows in walls at right angles, so
+ * light is mirrored only once. */
 #define BLACK_ROOM                                                                     \
     "<room version='1'><sky type='overcast'/><plan width='4.3' depth='5.1' "           \
     "height='3.2'/><finishes floor='0' walls='0' ceiling='0'/>"                        \
@@ -19,7 +19,7 @@
     "<point x='2.9' y='1.3' z='0.6'/><point x='1.2' y='2.7' z='0.2'/>"                 \
     "<point x='2.3' y='2.2' z='0.85'/></room>"
 
-/* The same with niches, frames and surfaces that reflect. */
+/* The same room with niches, frames and reflecting surfaces. */
 #define NICHED_ROOM                                                                    \
     "<room version='1'><plan width='4.3' depth='5.1' height='3.2'/>"                   \
     "<finishes floor='0.02' walls='0.05' ceiling='0.03'/>"                             \
@@ -31,8 +31,8 @@
     "glazing='none'/>"                                                                 \
     "<point x='2.1' y='3.7' z='0.6'/></room>"
 
-/* Glass as clear as its stack can be mirrors nothing of what stands straight before it, which
- * the middle of the other window does here, and a little of its sides. */
+/* Glass without absorption reflects no light from directly opposite, where the middle
+ * of the other window is, and only a little from its sides. */
 #define CLEAREST_ROOM                                                                  \
     "<room version='1'><plan width='8.4' depth='3' height='3.2'/>"                     \
     "<finishes floor='0.02' walls='0.05' ceiling='0.03'/>"                             \
@@ -42,7 +42,7 @@
     "transmittance='1'/>"                                                              \
     "<point x='4.2' y='1.5' z='1.6'/></room>"
 
-/* Is the point of the glass' plane in the rectangle of the glass? */
+/* True if the point in the plane of the glass is within the rectangle of the glass. */
 static bool is_in(const struct pp_opening *opening, struct pp_vec3 point)
 {
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
@@ -60,8 +60,9 @@ static bool is_in(const struct pp_opening *opening, struct pp_vec3 point)
     return in;
 }
 
-/* Light of a place in the other opening that the first one's glass mirrors to the
- * receiver, per square metre: as from the receiver's image, through the glass. */
+/* Light per square metre from a point of the other opening that the glass of the first
+ * one mirrors to the receiver: as seen from the receiver's mirror image, through the
+ * glass. */
 static double mirrored_from(const struct pp_outside_light *light,
                             const struct pp_opening *glass,
                             const struct pp_opening *window,
@@ -88,8 +89,8 @@ static double mirrored_from(const struct pp_outside_light *light,
            * glass->frame_factor;
 }
 
-/* The same of the whole opening, a rectangle, by the midpoints of 800 x 800 places: the
- * edge of what shows in the glass runs through 1 in 400 of them. */
+/* The same for the whole rectangular opening, by the midpoints of 800 x 800 cells. The
+ * edge of the mirror image passes through 1 cell in 400. */
 static double mirrored(const struct pp_outside_light *light,
                        const struct pp_opening *glass, const struct pp_opening *window,
                        const struct pp_receiver *receiver)
@@ -114,7 +115,7 @@ static double mirrored(const struct pp_outside_light *light,
     return sum;
 }
 
-/* A thousandth of the light at these points. */
+/* Agreement to a thousandth of the light at these points. */
 static void black_room_reflects_one_window_in_the_glass_of_the_other(void **state)
 {
     (void)state;
@@ -133,8 +134,8 @@ static void black_room_reflects_one_window_in_the_glass_of_the_other(void **stat
     pp_world_destroy(world);
 }
 
-/* Reflected light at the point, and its standard deviation over nets of paths. glass: are
- * images in glass sampled? */
+/* Reflected light at the point, and its standard deviation over nets of paths. glass:
+ * true if mirror images in glass are sampled. */
 struct found_light {
     double mean, deviation;
 };
@@ -167,8 +168,8 @@ static struct found_light reflected(struct pp_path_state *state,
                                 sqrt((squares - sum * sum / NETS) / (NETS - 1))};
 }
 
-/* Sampled by images, and left out by rays, it is the same light, with at most that much of
- * the noise. */
+/* Sampling by mirror images, with rays that omit this light, gives the same mean; its
+ * noise is at most `noise` times that of rays alone. */
 static void images_are_what_rays_find(const char *room, double noise)
 {
     struct pp_outside_light light;
@@ -206,8 +207,8 @@ static void the_clearest_glass_mirrors_at_its_sides(void **state)
     images_are_what_rays_find(CLEAREST_ROOM, 1.0);
 }
 
-/* Only the windows mirror, of six openings without glass and six windows opposite; of 72
- * pairs of windows the 32 that have most of each other are kept, in the glass of both
+/* Only the windows are mirrors, not the six unglazed openings among them. Of 72 pairs
+ * of windows the 32 with the largest contribution are kept, in the glass of both
  * walls. */
 static void pairs_are_of_glass_and_those_that_have_most_of_each_other(void **state)
 {
@@ -242,7 +243,7 @@ static void pairs_are_of_glass_and_those_that_have_most_of_each_other(void **sta
     }
 }
 
-/* The openings of one wall show in none of its glass. */
+/* Openings of one wall are not mirrored in the glass of the same wall. */
 static void windows_in_one_plane_have_no_images(void **state)
 {
     (void)state;

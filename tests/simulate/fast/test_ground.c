@@ -1,4 +1,4 @@
-/* test_ground.c - the ground outside is a surface in the shadow of what stands on it. */
+/* test_ground.c - the ground outside is a surface shaded by the objects on it. */
 #include "model/room/ground.h"
 #include "simulate/scene/light_scene_parts.h"
 #include "simulate/transport/radiance_state.h"
@@ -7,7 +7,7 @@
 
 static const double rho = 0.2;
 
-/* A world without a room, with its ground a metre below the receivers. */
+/* A world without a room whose ground is a metre below the receivers. */
 static struct pp_world open_field(void)
 {
     return (struct pp_world){.ground_level_m = -1.0};
@@ -30,7 +30,7 @@ static struct pp_receiver facing_down(double x, double y, double z)
     return pp_test_receiver(x, y, z, 0.0, 0.0, -1.0);
 }
 
-/* Nothing stands on it: rho, and half of that on a wall. */
+/* Without objects: rho for a horizontal receiver, half of it for a wall. */
 static void an_open_field_reflects_its_share_of_the_whole_sky(void **state)
 {
     (void)state;
@@ -42,9 +42,9 @@ static void an_open_field_reflects_its_share_of_the_whole_sky(void **state)
                   0.5 * rho, 1e-3);
 }
 
-/* At its foot an endless black wall takes half of a uniform sky from the ground, at the
- * distance of its height (1 - cos 45 deg)/2 of it. The receivers hang a millimetre over
- * the ground, and see what lies right under them. */
+/* At its foot an infinitely long black wall hides half of a uniform sky from the
+ * ground; at the distance of its height it hides (1 - cos 45 deg)/2. The receivers are
+ * a millimetre above the ground and see the ground directly below them. */
 static void a_wall_takes_its_share_of_the_sky_from_the_ground(void **state)
 {
     (void)state;
@@ -71,9 +71,8 @@ static void a_wall_takes_its_share_of_the_sky_from_the_ground(void **state)
                   1e-3);
 }
 
-/* Light that a wall takes away it gives back by its own reflectance: a white wall under a
- * uniform sky, over a white ground, stands in a field of light that is the same
- * everywhere, as if neither were there. */
+/* A wall reflects as much light as it hides, if it is white: with white walls, white
+ * ground and a uniform sky, light is the same everywhere, as if there were no walls. */
 static void white_walls_and_white_ground_vanish_in_a_uniform_sky(void **state)
 {
     (void)state;
@@ -98,9 +97,10 @@ static void white_walls_and_white_ground_vanish_in_a_uniform_sky(void **state)
     "<plan width='4' depth='5' height='2.7'/>"                                         \
     "<window wall='south' left='0.5' sill='0.8' width='3' height='1.5'/>"
 
-/* A far skyline of 30 degrees: the ground has (1 + cos 30 deg)/2 of a uniform sky, and
- * the rest of its face's exitance, which by convention is rho (1/2 + rho_ground/2). A
- * point outside that looks down on the ground, two metres before the room's wall. */
+/* A skyline of 30 degrees at infinite distance: the ground receives (1 + cos 30 deg)/2
+ * of a uniform sky, and the rest from the exitance of the skyline, which by convention
+ * is rho (1/2 + rho_ground/2). The receiver is outside, two metres from the wall, and
+ * faces down. */
 static void a_far_skyline_shades_the_ground_and_lights_it(void **state)
 {
     (void)state;
@@ -151,8 +151,8 @@ static void trace_room(const char *xml, struct pp_receiver receiver,
     "<vertex x='800' y='-400' z='-0.5'/><vertex x='800' y='400' z='-0.5'/>"            \
     "<vertex x='-800' y='400' z='-0.5'/></surface>"
 
-/* The street as a surface of the file over an open ground, as one had to write it
- * before, and the ground itself. */
+/* A street written as a surface over open ground, as in older files, compared with the
+ * program's ground. */
 static void the_ground_is_as_a_surface_of_the_file(void **state)
 {
     (void)state;
@@ -173,7 +173,7 @@ static void the_ground_is_as_a_surface_of_the_file(void **state)
     assert_true(open[PP_IRC].value > 1.1 * own[PP_IRC].value);
 }
 
-/* A window that reaches below the ground has it dug away before itself. */
+/* In front of a window that extends below the ground, the ground is lowered. */
 static void the_ground_lies_no_higher_than_a_sill(void **state)
 {
     (void)state;
@@ -187,8 +187,8 @@ static void the_ground_lies_no_higher_than_a_sill(void **state)
     pp_world_destroy(high);
 }
 
-/* From inside a reveal, where it isn't known on which side of the glass a point is, no
- * ground is seen in the room, though it lies higher than the floor. */
+/* Inside a reveal it is unknown on which side of the glass a point is. No ground is
+ * visible in the room, although the ground is higher than the floor. */
 static void there_is_no_ground_in_a_basement(void **state)
 {
     (void)state;
@@ -205,7 +205,7 @@ static void there_is_no_ground_in_a_basement(void **state)
     assert_int_equal(ray.space, PP_ANYWHERE);
     assert_true(pp_light_scene_first(scene, &ray, &hit));
     assert_near(hit.point.z, 0.0, 1e-9);
-    /* The same ray the other way comes to the ground through the glass. */
+    /* The same ray in the opposite direction reaches the ground through the glass. */
     ray.to.y = -ray.to.y;
     ray.from.y = -0.4;
     ray.from = pp_vec_sub(ray.from, scene->centre);
@@ -216,7 +216,7 @@ static void there_is_no_ground_in_a_basement(void **state)
     pp_world_destroy(world);
 }
 
-/* The ground hides the targets of shadow rays above or below it. */
+/* The ground hides the ends of shadow rays on its other side. */
 static void a_shadow_ray_ends_at_the_ground(void **state)
 {
     (void)state;

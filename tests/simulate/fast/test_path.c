@@ -1,13 +1,13 @@
-/* test_path.c - gathered light and its correction along paths, for guesses right and
- * wrong. */
+/* test_path.c - gathered light and its correction along paths, with correct and wrong
+ * estimates of radiosity. */
 #include "simulate/fast/path.h"
 
 #include <math.h>
 
 #include "tests/lib/guessed_room.h"
 
-/* Most of its light comes by way of the wall beside the window and the sides of its
- * niche; the point lies at the back. */
+/* Most of its light comes from the wall beside the window and the sides of its niche;
+ * the point is at the back. */
 #define ROOM                                                                           \
     "<room version='1'><plan width='3.7' depth='9.1' height='3.2'/>"                   \
     "<finishes floor='0.3' walls='0.8' ceiling='0.6'/>"                                \
@@ -27,9 +27,9 @@ static struct pp_start start_of(const struct pp_test_guessed_room *room)
                              .normal = receiver->normal};
 }
 
-/* Light of the room's surfaces at the point, the sides of the niche with the direct
- * light; its standard deviation over the nets of so many paths. niches: are their mouths
- * aimed at? */
+/* Light of the room's surfaces at the point, including direct light on the sides of the
+ * niche, and its standard deviation over nets of paths. niches: true if paths are aimed
+ * at the mouths of niches. */
 enum { NETS = 64 };
 
 struct found_light {
@@ -65,8 +65,8 @@ static struct found_light reflected(const struct pp_test_guessed_room *room,
     return (struct found_light){mean, sqrt((squares - sum * mean) / (NETS - 1))};
 }
 
-/* A guess too low here, too high there and nothing elsewhere sends paths to the wrong
- * places, and they find the same light. */
+/* An estimate that is too low in some places, too high in others and zero elsewhere
+ * aims paths at the wrong places, but the result is the same. */
 static void light_does_not_depend_on_the_guess(void **state)
 {
     (void)state;
@@ -88,8 +88,8 @@ static void light_does_not_depend_on_the_guess(void **state)
     pp_test_guessed_room_clear(&room);
 }
 
-/* A path goes on by one of several directions where the guess has light: 64 paths have a
- * deviation of 5.5 %. One drawn without regard to it leaves 6.4 %. */
+/* A path continues in one of several directions, chosen by estimated light: the
+ * deviation of 64 paths is 5.5 %. A choice without the estimate gives 6.4 %. */
 static void paths_go_to_where_there_is_light(void **state)
 {
     (void)state;
@@ -100,8 +100,8 @@ static void paths_go_to_where_there_is_light(void **state)
     pp_test_guessed_room_clear(&room);
 }
 
-/* Next-event estimation of the mouth has the light of the niche's sides, and rays that come
- * to these straight leave it out: together it is what rays alone find, with a part of their
+/* Next-event estimation of the mouth includes the light of the niche's sides, and rays
+ * that reach these sides directly omit it. The sum equals that of rays alone, with less
  * noise. */
 static void aiming_at_the_mouth_finds_the_sides_of_the_niche(void **state)
 {
@@ -116,7 +116,7 @@ static void aiming_at_the_mouth_finds_the_sides_of_the_niche(void **state)
     pp_test_guessed_room_clear(&room);
 }
 
-/* The sums of all three estimators by the paths up to `end`, in steps of `step`. */
+/* Sums of all three estimators for the paths up to `end`, in steps of `step`. */
 struct path_sums {
     struct pp_light direct;
     double gathered, correction;
@@ -145,8 +145,8 @@ static struct path_sums sums_of(const struct pp_test_guessed_room *room, uint32_
     return sums;
 }
 
-/* Paths are drawn in runs of up to sixteen; what they add is that of one after the other, to
- * the bit. */
+/* Paths are calculated in runs of up to sixteen; the sums are identical to those of
+ * single paths. */
 static void paths_in_runs_are_those_one_by_one(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* test_shared_light.c - what receivers share is what each of them would find alone. */
+/* test_shared_light.c - light calculated once for all receivers is the same as the
+ * light calculated for each receiver. */
 #include "simulate/estimate/common_variance.h"
 #include "simulate/fast/shared_light.h"
 
@@ -19,7 +20,7 @@
     "<point x='3.28' y='5.17'/><point x='1.9' y='4.4' z='0.01'/>"                      \
     "<point x='1.6' y='3.9' nx='0.3' ny='-1' nz='0.2'/></room>"
 
-/* A room and what its receivers share. */
+/* A room and the data shared by its receivers. */
 struct shared_room {
     struct pp_test_guessed_room of;
     struct pp_shared_density *density;
@@ -45,7 +46,7 @@ static void clear(struct shared_room *room)
     pp_test_guessed_room_clear(&room->of);
 }
 
-/* By a pool of so many threads. */
+/* Extends the shared data with this number of threads. */
 static enum pp_status extended(struct shared_room *room, int stage, int first,
                                int count, const uint32_t *wanted, int threads)
 {
@@ -57,9 +58,9 @@ static enum pp_status extended(struct shared_room *room, int stage, int first,
     return status;
 }
 
-/* Were D 1 on every surface, its mean over the cosine lobe would be 1 in a room without
- * windows: what is shared and what is left to the lobe's rays make it up, at an awkward
- * tilt, and a centimetre from a wall, where much is left. */
+/* In a room without windows, with D = 1 on every surface, its mean over the cosine lobe
+ * is 1. The shared part and the part left to rays of the lobe add up to 1, for a tilted
+ * receiver and for one a centimetre from a wall, where the second part is large. */
 static void shared_and_left_light_are_the_whole_lobe(void **state)
 {
     (void)state;
@@ -116,8 +117,8 @@ static void shared_and_left_light_are_the_whole_lobe(void **state)
     clear(&room);
 }
 
-/* Without planes the scene leaves all to the kernels, and each of five points follows paths
- * of its own. */
+/* Without planes of a convex room all rays use the general ray tracer, and each of five
+ * points uses its own paths. */
 static void compare_with_own_paths(struct pp_world *world,
                                    const struct pp_outside_light *light, double error)
 {
@@ -154,7 +155,7 @@ static void compare_with_own_paths(struct pp_world *world,
     pp_world_destroy(world);
 }
 
-/* Beside walls, on the floor, at a tilt, and over the whole plane. */
+/* Points beside walls, on the floor, tilted, and on the whole plane. */
 static void a_point_that_shares_agrees_with_one_that_does_not(void **state)
 {
     (void)state;
@@ -163,8 +164,8 @@ static void a_point_that_shares_agrees_with_one_that_does_not(void **state)
     compare_with_own_paths(world, &light, PP_SIZED(0.004, 0.008, 0.016));
 }
 
-/* The sides of reveals are bright, and not all of the room sees them. One of the points lies
- * in a niche, where most of the room is hidden. */
+/* The sides of reveals are bright, and not visible from everywhere. One of the points
+ * is in a niche, from which most of the room is hidden. */
 static void points_share_light_in_a_room_with_reveals(void **state)
 {
     (void)state;
@@ -186,7 +187,7 @@ static void points_share_light_in_a_room_with_reveals(void **state)
     compare_with_own_paths(world, &light, PP_SIZED(0.01, 0.02, 0.03));
 }
 
-/* A receiver in a niche takes nothing of what is shared. */
+/* A receiver in a niche uses no shared light. */
 static void not_all_is_seen_from_a_niche(void **state)
 {
     (void)state;
@@ -203,8 +204,8 @@ static void not_all_is_seen_from_a_niche(void **state)
     clear(&room);
 }
 
-/* A shared point is known by its number: not by how many come after it, nor by when, nor
- * by the threads. */
+/* A shared point is determined by its number, not by the number of later points, the
+ * time of its calculation, or the threads. */
 static void shared_points_do_not_depend_on_what_was_asked_before(void **state)
 {
     (void)state;
@@ -227,7 +228,8 @@ static void shared_points_do_not_depend_on_what_was_asked_before(void **state)
     clear(&room);
 }
 
-/* To the bit: alone, among others, in another order, with one thread or three. */
+/* Identical to the bit: alone, with other points, in another order, with one thread or
+ * three. */
 static void a_point_that_shares_depends_on_no_other(void **state)
 {
     (void)state;
@@ -251,9 +253,9 @@ static void a_point_that_shares_depends_on_no_other(void **state)
     pp_world_destroy(world);
 }
 
-/* Standard errors of the sum over the first points of a list: as said, for the share that
- * all have in common and for that of near ones, as seen over runs with a seed each, and as
- * it would be if the points knew nothing of one another. */
+/* Standard errors of the sum over the first points of a list: as stated, for the part
+ * common to all points and for that of near points; as observed over runs with
+ * different seeds; and as stated if the points were independent. */
 struct sum_errors {
     double said, said_near, seen, alone;
 };
@@ -298,9 +300,9 @@ static struct sum_errors errors_of_sum(struct shared_room *room,
     return found;
 }
 
-/* The mean of 30 points over 48 seeds: by the points' standard errors and what they say that
- * they have in common it varies as it does. As if they were independent it would be said to
- * vary less. */
+/* Mean of 30 points over 48 seeds: its observed spread agrees with the one calculated
+ * from the standard errors and the stated common part. If the points were assumed
+ * independent, the calculated spread would be too small. */
 static void what_points_have_in_common_is_known(void **state)
 {
     (void)state;
@@ -317,8 +319,9 @@ static void what_points_have_in_common_is_known(void **state)
     clear(&room);
 }
 
-/* A dozen points 0.2 m apart, and two more dozens far from them and each other: those of
- * one dozen have much more in common than all have. */
+/* A dozen points 0.2 m apart, and two more dozens far away from them and from each
+ * other: points of the same dozen have more in common than points of different
+ * dozens. */
 static void near_points_have_more_in_common_than_all(void **state)
 {
     (void)state;

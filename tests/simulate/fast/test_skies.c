@@ -1,4 +1,4 @@
-/* test_skies.c - light from outside is an argument: one scene under many skies. */
+/* test_skies.c - outdoor light is an argument: one scene under many skies. */
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/scene/light_scene_parts.h"
 #include "simulate/transport/opening_store.h"
@@ -16,7 +16,7 @@
     "<block x='-3' y='-11' width='4' depth='3' height='5'/>"                           \
     "<point x='1.4' y='1.7'/><point x='1.1' y='4.2'/></room>"
 
-/* Every type of ISO 15469, with the sun all round and at many altitudes. */
+/* Every type of ISO 15469, with various bearings and altitudes of the sun. */
 static struct pp_outside_light light_of(int number)
 {
     struct pp_outside_light light = {.ground_reflectance = 0.1 + 0.003 * number};
@@ -43,7 +43,8 @@ static void trace(const struct pp_light_scene *scene,
     pp_tracer_destroy(tracer);
 }
 
-/* The readings under each sky are those of a scene made for it alone, to the bit. */
+/* The readings under each sky are identical to those of a scene created for this sky
+ * alone. */
 static void many_skies_are_traced_on_one_scene(void **state)
 {
     (void)state;
@@ -81,8 +82,8 @@ static void many_skies_are_traced_on_one_scene(void **state)
     pp_world_destroy(world);
 }
 
-/* The whole of coloured light, with the window's store, under a sky given beside the
- * scene: as bright as the file's own sky makes it. */
+/* Coloured light with the store of the window, under a sky that is passed separately:
+ * as bright as with the sky in the file. */
 static void so_is_coloured_light(void **state)
 {
     (void)state;

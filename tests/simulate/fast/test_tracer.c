@@ -1,4 +1,4 @@
-/* test_tracer.c - traced light against what is known on paper. */
+/* test_tracer.c - simulated light compared with known values. */
 #include "methods/exact/solid_angle.h"
 
 #include "tests/lib/equilibrium.h"
@@ -21,7 +21,7 @@ static void trace_one(const struct pp_world *world,
     free(traced);
 }
 
-/* Moments of a polygon seen from a receiver, within up to two more half-spaces. */
+/* Moments of a polygon seen from a receiver, clipped to up to two more half-spaces. */
 static struct pp_moments moments_of(const struct pp_vec3 *corners, int count,
                                     struct pp_receiver receiver,
                                     const struct pp_vec3 *more, int more_count)
@@ -34,7 +34,7 @@ static struct pp_moments moments_of(const struct pp_vec3 *corners, int count,
         half_spaces[1 + i] = more[i];
     pp_solid_angle_add_moments(&moments, seen, count, receiver.normal, half_spaces,
                                1 + more_count);
-    /* Whichever way round the corners are given. */
+    /* The corners may be in either order. */
     double sign = moments.omega < 0.0 ? -1.0 : 1.0;
     return (struct pp_moments){sign * moments.omega, sign * moments.cosine,
                                sign * moments.cosine_sine};
@@ -69,8 +69,8 @@ static void a_closed_room_is_dark_for_certain(void **state)
     pp_world_destroy(world);
 }
 
-/* Where nothing stands, a plane at any tilt gets the sky's illuminance, and half the
- * ground's share of what it faces of it. */
+/* Without objects a plane at any tilt receives the illuminance of the sky, and light
+ * from the ground. */
 static void the_open_sky_is_all_there_is_without_a_room(void **state)
 {
     (void)state;
@@ -92,8 +92,8 @@ static void the_open_sky_is_all_there_is_without_a_room(void **state)
     assert_traced(readings[PP_SC], (1.0 + sqrt(0.5)) / 2.0, 2e-3);
 }
 
-/* Every surface gives off its own 1 and reflects rho of what it gets:
- * 1 + rho + rho^2 + ... */
+/* Every surface emits 1 and reflects rho of the light it receives: 1 + rho + rho^2 +
+ * ... */
 static void a_furnace_glows_with_one_over_one_less_rho(void **state)
 {
     (void)state;
@@ -119,7 +119,7 @@ static void a_furnace_glows_with_one_over_one_less_rho(void **state)
 
 /* ---- thermal equilibrium ---- */
 
-/* Every receiver of a room in equilibrium (equilibrium.h) gets 1. */
+/* Every receiver of a room in equilibrium (equilibrium.h) has the value 1. */
 static void assert_equilibrium(const char *xml, bool lossless_glass)
 {
     struct pp_outside_light light;
@@ -170,7 +170,7 @@ static void equilibrium_behind_a_diffusing_pane(void **state)
     assert_equilibrium(PP_TEST_DIFFUSING_ROOM, false);
 }
 
-/* Coordinates in single precision there step by a sixteenth of a millimetre. */
+/* There, single-precision coordinates have steps of a sixteenth of a millimetre. */
 static void equilibrium_a_kilometre_away_from_the_origin(void **state)
 {
     (void)state;
@@ -207,7 +207,7 @@ static void a_window_shows_the_sky_of_the_closed_form(void **state)
     light.sky = pp_sky_uniform();
     trace_one(world, &light, receiver, 64, readings);
     assert_traced(readings[PP_SC], 0.05899459937149, 2e-5);
-    /* Towards the window, and part of it behind the receiver's plane. */
+    /* Facing the window, part of which is behind the receiver's plane. */
     light.sky = pp_sky_overcast();
     receiver = pp_test_receiver(0.4, 0.6, 1.4, 0.8, -0.5, -0.2);
     trace_one(world, &light, receiver, 256, readings);
@@ -215,8 +215,8 @@ static void a_window_shows_the_sky_of_the_closed_form(void **state)
     pp_world_destroy(world);
 }
 
-/* From the floor, a wall and the ceiling themselves: no ray is lost in them or behind
- * them, and next to them it is the same. The ceiling sees no sky. */
+/* Receivers on the floor, a wall and the ceiling: no ray is lost in or behind them, and
+ * the value is the same as just in front of them. The ceiling sees no sky. */
 static void on_a_surface_one_measures_what_falls_on_it(void **state)
 {
     (void)state;
@@ -238,7 +238,7 @@ static void on_a_surface_one_measures_what_falls_on_it(void **state)
         trace_one(world, &light, on[i], 256, here);
         trace_one(world, &light, off, 256, there);
         assert_traced(here[PP_SC], sky_of(&light, window, 4, on[i]), 2e-4);
-        /* Two millimetres are a thousandth of the distances here. */
+        /* Two millimetres are a thousandth of the distances in this room. */
         double noise = hypot(here[PP_DF].std_error, there[PP_DF].std_error);
         assert_near(here[PP_DF].value, there[PP_DF].value,
                     4.0 * noise + 3e-3 * there[PP_DF].value);
@@ -256,7 +256,7 @@ static void glass_takes_its_share_by_angle(void **state)
                 "" WINDOW "'clear-single' frame-factor='0.8' "
                 "maintenance='0.9'/></room>");
     struct pp_receiver receiver = pp_test_receiver(0.6, 1.3, 0.8, 0.0, 0.0, 1.0);
-    /* Midpoint rule, error of some 1e-6 relative. */
+    /* Midpoint rule with a relative error of about 1e-6. */
     double sum = 0.0;
     enum { N = 400 };
     for (int i = 0; i < N; i++)
@@ -275,7 +275,8 @@ static void glass_takes_its_share_by_angle(void **state)
     pp_world_destroy(world);
 }
 
-/* A diffusing pane gives off tau times what falls on it, sky and ground apart. */
+/* A diffusing pane emits tau times its illuminance, from the sky and from the ground
+ * separately. */
 static void a_diffusing_pane_is_a_lamp(void **state)
 {
     (void)state;
@@ -295,8 +296,8 @@ static void a_diffusing_pane_is_a_lamp(void **state)
     pp_world_destroy(world);
 }
 
-/* The glass stands 0.4 m outside the wall's plane: from the point the opening in the
- * wall throws its outline on to it. */
+/* The glass is 0.4 m outside the plane of the wall: seen from the point, the outline of
+ * the opening in the wall is projected onto the glass. */
 static void a_reveal_hides_the_edges_of_the_glass(void **state)
 {
     (void)state;
@@ -318,8 +319,9 @@ static void a_reveal_hides_the_edges_of_the_glass(void **state)
     pp_world_destroy(world);
 }
 
-/* By the same paths, with one seed: a facade in the plane of the glass leaves the sky to
- * the bit; one 0.25 m farther out leaves that of a reveal deeper by as much. */
+/* With the same paths and seed: a façade in the plane of the glass leaves the identical
+ * sky component; a façade 0.25 m farther out leaves the same as a reveal deeper by 0.25
+ * m. */
 static void a_facade_hides_what_a_deeper_reveal_does(void **state)
 {
     (void)state;
@@ -347,12 +349,13 @@ static void a_facade_hides_what_a_deeper_reveal_does(void **state)
         hypot(readings[2][PP_SC].std_error, readings[3][PP_SC].std_error) + 1e-5;
     assert_near(readings[3][PP_SC].value, readings[2][PP_SC].value, 4.0 * noise);
     assert_true(readings[3][PP_SC].value < readings[0][PP_SC].value - 20.0 * noise);
-    /* Sky hidden by the rims is seen as facade. */
+    /* The edges of the reveal hide sky, and the façade is visible instead. */
     assert_true(readings[3][PP_ERC].value > 1.2 * readings[2][PP_ERC].value);
 }
 
-/* A street 7 m wide, 12 m high: its own side as a facade, as three blocks flush with the
- * wall, and black. The house opposite is lit by what its own side throws back. */
+/* A street 7 m wide and 12 m high: its own side as a façade, as three blocks flush with
+ * the wall, and black. The house opposite receives the light that its own side
+ * reflects. */
 static void a_facade_lights_the_street_as_houses_in_its_plane_do(void **state)
 {
     (void)state;
@@ -393,8 +396,8 @@ static void walls_of_an_l_shaped_room_hide_the_window(void **state)
                 "<vertex x='2' y='6'/><vertex x='0' y='6'/></plan>"
                 "<window wall='2' left='0.2' sill='0.9' width='1.6' "
                 "height='1.4' glazing='none'/></room>");
-    /* From (1.5, 3) the corner (2, 2) hides the window in x = 5 entirely; from
-     * (1, 2.5) it lets through what lies below y = 2 - 3/2 = 0.5. */
+    /* From (1.5, 3) the corner (2, 2) hides the window in x = 5 completely; from (1,
+     * 2.5) the part below y = 2 - 3/2 = 0.5 is visible. */
     struct pp_reading readings[4];
     trace_one(world, &light, pp_test_receiver(1.5, 3.0, 0.8, 0.0, 0.0, 1.0), 64,
               readings);
@@ -472,7 +475,8 @@ static void a_sloping_pentagon_shows_the_sky_behind_it(void **state)
 
 /* ---- obstructions ---- */
 
-/* Sky and hidden part of WINDOW where all below a slope towards it is hidden. */
+/* Visible sky and hidden part of WINDOW if everything below a slope towards the window
+ * is hidden. */
 static void split_window(const struct pp_outside_light *light,
                          struct pp_receiver receiver, double slope, double *sky,
                          double *hidden)
@@ -485,7 +489,7 @@ static void split_window(const struct pp_outside_light *light,
     *hidden = mask.cosine / PP_PI;
 }
 
-/* The face of a skyline gets 0.396 from the sky and half the ground's 0.2. */
+/* The face of a skyline receives 0.396 from the sky and half of the ground's 0.2. */
 static void a_far_skyline_gives_what_its_face_gets(void **state)
 {
     (void)state;
@@ -500,7 +504,7 @@ static void a_far_skyline_gives_what_its_face_gets(void **state)
     trace_one(world, &light, receiver, 512, readings);
     assert_traced(readings[PP_SC], sky, 1e-4);
     assert_traced(readings[PP_ERC], exitance * hidden, 1e-4);
-    /* Over the luminance of the sky that it hides: CONVENTIONS has about 0.19. */
+    /* Relative to the luminance of the hidden sky: about 0.19 by convention. */
     struct pp_vec3 below[2] = {{0.0, -tan(10.0 * PP_RAD), -1.0}, {0.0, 0.0, 1.0}};
     struct pp_moments mask = moments_of(window, 4, receiver, below, 2);
     assert_near(exitance * hidden / pp_solid_angle_sky_component(&mask, &light.sky),
@@ -516,7 +520,8 @@ static void a_near_skyline_hides_more_from_the_front_of_the_room(void **state)
         &light, "<room version='1'><plan width='3.1' depth='4.3' height='2.6'/>" WINDOW
                 "'none'/><skyline wall='south' angle='20' distance='9' "
                 "reflectance='0.2'/></room>");
-    /* From the middle of the window, 1.6 m up, 9 m away: so high above the point. */
+    /* Height above the point of the skyline, from the middle of the window, 1.6 m up, 9
+     * m away. */
     double head = 1.6 + 9.0 * tan(20.0 * PP_RAD);
     for (int i = 0; i < 2; i++) {
         double y = i == 0 ? 0.6 : 3.5, sky, hidden;
@@ -525,16 +530,17 @@ static void a_near_skyline_hides_more_from_the_front_of_the_room(void **state)
         struct pp_reading readings[4];
         trace_one(world, &light, receiver, 512, readings);
         assert_traced(readings[PP_SC], sky, 2e-4);
-        /* The point's face has the whole sky over it, and sees no more of the room than a
-         * few square metres: it gets the sky's 0.396 and, of a ground that it takes half
-         * of the sky from at its foot, 0.061 to 0.1. */
+        /* The visible point of the face receives light from the whole sky, 0.396, and
+         * almost none from the room. From the ground, of which it hides half of the sky
+         * at its foot, it receives 0.061 to 0.1. */
         assert_true(readings[PP_ERC].value < 0.2 * (0.39617691 + 0.1) * hidden + 1e-4);
         assert_true(readings[PP_ERC].value > 0.2 * (0.39617691 + 0.05) * hidden - 1e-4);
     }
     pp_world_destroy(world);
 }
 
-/* A block so long that it has no ends, black: what it hides is gone. */
+/* A black block so long that its ends do not matter: only the hidden light is
+ * missing. */
 static void a_black_block_hides_the_sky_behind_it(void **state)
 {
     (void)state;
@@ -554,9 +560,10 @@ static void a_black_block_hides_the_sky_behind_it(void **state)
     pp_world_destroy(world);
 }
 
-/* Most of the light at the back comes by a block, window and floor: weights that fall
- * on the way must not make few paths count for many. 3.3 % of error is what 2,048 paths
- * give (RMS of 12 seeds, 2.3 to 5.5 %); roulette on bare weights made it 17 %. */
+/* Most of the light at the back comes from the block via window and floor. Decreasing
+ * weights along the path must not make a few paths dominate. 2,048 paths give an error
+ * of 3.3 % (RMS of 12 seeds, 2.3 to 5.5 %); Russian roulette by unmodified weights gave
+ * 17 %. */
 static void light_by_way_of_a_block_is_not_a_lottery(void **state)
 {
     (void)state;
@@ -573,8 +580,8 @@ static void light_by_way_of_a_block_is_not_a_lottery(void **state)
     pp_world_destroy(world);
 }
 
-/* CIE 171 case 5.6: a horizontal reflector under the open sky gives rho times its
- * configuration factor. [CIE171] */
+/* CIE 171 case 5.6: a horizontal reflector under the open sky contributes rho times its
+ * configuration factor [CIE171]. */
 static void a_horizontal_reflector_lights_what_faces_it(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_tracer_errors.c - standard errors are true, and answers depend on nothing else
- * than room, point and seed. */
+/* test_tracer_errors.c - standard errors are correct, and results depend only on room,
+ * point and seed. */
 #include "tests/lib/random_rooms.h"
 #include "tests/lib/sized.h"
 
@@ -25,8 +25,8 @@ static void assert_same_bytes(struct pp_reading (*a)[4], struct pp_reading (*b)[
 
 /* ---- true errors ---- */
 
-/* Frequencies of 400 values: 68 +- 2.3 %, 95 +- 1.1 %; limits at three of these. Of a
- * quarter as many they are twice as wide. */
+/* Frequencies of 400 values: 68 +- 2.3 %, 95 +- 1.1 %; the limits are three times
+ * these. For a quarter of the values they are twice as wide. */
 static void sky_components_of_many_rooms_lie_within_their_errors(void **state)
 {
     (void)state;
@@ -48,9 +48,10 @@ static void daylight_factors_lie_within_their_errors_over_seeds(void **state)
     assert_in_range(c.beyond_4, 0, 2);
 }
 
-/* Near the window in the west, which shows the dark side of a clear sky, the one that faces the
- * sun brings 7 % of the sky component and looks like half a per cent by the overcast sky. With
- * no more of the directions one run of ten missed it, and no error said so. */
+/* The point is near the west window, which faces the dark side of a clear sky. The
+ * window that faces the sun contributes 7 % of the sky component, but the overcast sky
+ * suggests half a per cent. With fewer directions one run in ten missed this window,
+ * and its standard error did not show it. */
 static void a_small_bright_window_is_not_missed(void **state)
 {
     (void)state;
@@ -77,8 +78,8 @@ static void a_small_bright_window_is_not_missed(void **state)
     pp_world_destroy(world);
 }
 
-/* Plans aim at 92 % of that, and one in a few comes out above: 31 degrees of freedom tell
- * an error to 13 %, a pilot's as well. */
+/* Plans aim at 92 % of the target, and one value in a few exceeds the target: with 31
+ * degrees of freedom an error is accurate to 13 %, and so is that of a pilot. */
 static void the_error_asked_for_is_about_reached_everywhere(void **state)
 {
     (void)state;
@@ -105,8 +106,8 @@ static void the_error_asked_for_is_about_reached_everywhere(void **state)
     pp_world_destroy(world);
 }
 
-/* Two slits of 0.1 m in a thick wall: of 12 averages 6 had over twice the error that was
- * wanted, 8 times at worst, when the pilot was as for large windows. */
+/* Two slits of 0.1 m in a thick wall. When the pilot was as for large windows, 6 of 12
+ * averages had more than twice the target error, at worst 8 times. */
 static void the_error_asked_for_is_about_reached_behind_slits(void **state)
 {
     (void)state;
@@ -134,7 +135,7 @@ static void the_error_asked_for_is_about_reached_behind_slits(void **state)
     pp_world_destroy(world);
 }
 
-/* The mean over a fine grid is the average over the plane. */
+/* The mean over a fine grid equals the average over the plane. */
 static void the_average_is_that_of_the_whole_plane(void **state)
 {
     (void)state;
@@ -150,14 +151,15 @@ static void the_average_is_that_of_the_whole_plane(void **state)
     double mean = 0.0;
     for (int i = 0; i < count; i++)
         mean += traced[i][PP_DF].value / count;
-    /* Midpoints miss some of the curve near the window, a per cent of the mean. */
+    /* Midpoints have an error of one per cent of the mean near the window, where the
+     * curve is steep. */
     assert_near(mean, traced[count][PP_DF].value,
                 4.0 * traced[count][PP_DF].std_error + 0.01 * mean);
     free(traced);
     pp_world_destroy(world);
 }
 
-/* ---- what answers depend on ---- */
+/* ---- independence of results ---- */
 
 static void threads_change_nothing(void **state)
 {
@@ -211,7 +213,7 @@ static void slices_change_nothing(void **state)
     pp_world_destroy(world);
 }
 
-/* Rays whose end is known beforehand are left out: that alone changes. */
+/* Omits rays whose end is known in advance, which is the only change. */
 static void rays_left_out_change_nothing(void **state)
 {
     (void)state;
@@ -268,7 +270,7 @@ static void another_seed_is_another_sample(void **state)
     pp_world_destroy(world);
 }
 
-/* ---- the caller's loop ---- */
+/* ---- loop of the caller ---- */
 
 static void by_the_clock_errors_fall_for_as_long_as_one_likes(void **state)
 {
@@ -287,7 +289,7 @@ static void by_the_clock_errors_fall_for_as_long_as_one_likes(void **state)
     assert_true(isnan(readings[PP_DF].value));
     assert_non_null(readings[PP_DF].why);
     assert_true(isnan(pp_tracer_error(tracer)));
-    do { /* a batch at a time, until there is something of the point */
+    do { /* one batch at a time, until the point has a value */
         assert_int_equal(pp_tracer_advance(tracer, 0.0, NULL), PP_OK);
         pp_tracer_read(tracer, 0, readings);
     } while (isnan(readings[PP_DF].value));

@@ -1,4 +1,4 @@
-/* test_blind_box.c - a blind as a pane that scatters, against its slats written out as
+/* test_blind_box.c - a blind treated as a scattering pane, compared with its slats as
  * surfaces, and light from black and white slats. */
 #include <stdlib.h>
 
@@ -31,7 +31,8 @@ static struct pp_reading factor_of(const char *glazing, const char *blind,
     return factor;
 }
 
-/* Flat slats of 30 mm at 25 mm inside the window, turned by `tilt`; equal sides. */
+/* Flat slats of 30 mm at 25 mm spacing inside the window, tilted by `tilt`, with the
+ * same reflectance on both sides. */
 static void write_slats(char *text, double tilt_deg, double reflectance)
 {
     double a = 0.015 * cos(tilt_deg * PP_RAD), b = -0.015 * sin(tilt_deg * PP_RAD);
@@ -47,8 +48,8 @@ static void write_slats(char *text, double tilt_deg, double reflectance)
     }
 }
 
-/* The edges of a stack of slats scatter a little more light than endless slats: at
- * half this size of the slats the difference is half as large. */
+/* The ends of a stack of slats scatter a little more light than infinitely long slats:
+ * with slats of half this size the difference is half as large. */
 static void a_blind_gives_the_light_of_its_slats(void **state)
 {
     (void)state;
@@ -83,7 +84,7 @@ static void closed_black_slats_let_nothing_pass(void **state)
     assert_near(closed.value, 0.0, 1e-6);
 }
 
-/* Horizontal slats without width leave the window as it is. */
+/* Horizontal slats without width do not change the light. */
 static void the_narrowest_slats_hide_nothing(void **state)
 {
     (void)state;

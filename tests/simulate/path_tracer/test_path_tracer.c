@@ -1,5 +1,5 @@
-/* test_path_tracer.c - plain path tracing against what is known on paper, and the tracer
- * against plain path tracing. */
+/* test_path_tracer.c - the plain path tracer compared with known values, and the fast
+ * tracer compared with the plain one. */
 #include "simulate/path_tracer/path_tracer.h"
 
 #include "methods/exact/solid_angle.h"
@@ -8,8 +8,8 @@
 #include "tests/lib/random_rooms.h"
 #include "tests/lib/sized.h"
 
-/* Readings of `count` receivers and, behind them, of the average where it is wanted. The
- * caller frees them. */
+/* Readings of `count` receivers, followed by the average if requested. The caller frees
+ * them. */
 static struct pp_reading (
     *plain_readings(const struct pp_world *world, const struct pp_outside_light *light,
                     const struct pp_receiver *receivers, int count,
@@ -63,8 +63,8 @@ static void a_closed_room_is_dark(void **state)
     pp_world_destroy(world);
 }
 
-/* A vertical plane under the overcast sky has 39.62 % of the horizontal illuminance from
- * the sky, and half of the ground's 0.3 from the ground. */
+/* A vertical plane under the overcast sky receives 39.62 % of the horizontal
+ * illuminance from the sky, and half of 0.3 from the ground. */
 static void a_vertical_plane_outside_sees_half_of_sky_and_ground(void **state)
 {
     (void)state;
@@ -81,7 +81,8 @@ static void a_vertical_plane_outside_sees_half_of_sky_and_ground(void **state)
     assert_traced(readings[PP_ERC], 0.15, 2e-3);
 }
 
-/* Each surface gives off 1 and reflects rho of what it gets: 1 + rho + rho^2 + ... */
+/* Each surface emits 1 and reflects rho of the light it receives: 1 + rho + rho^2 +
+ * ... */
 static void a_furnace_glows_with_one_over_one_less_rho(void **state)
 {
     (void)state;
@@ -106,7 +107,7 @@ static void a_furnace_glows_with_one_over_one_less_rho(void **state)
 
 /* ---- thermal equilibrium ---- */
 
-/* Every receiver of a room in equilibrium (equilibrium.h) gets 1. */
+/* Every receiver of a room in equilibrium (equilibrium.h) has the value 1. */
 static void assert_equilibrium(const char *xml, bool lossless_glass)
 {
     struct pp_outside_light light;
@@ -148,7 +149,7 @@ static void equilibrium_behind_a_diffusing_pane(void **state)
 
 /* ---- sky component ---- */
 
-/* By quadrature of each window, another route than all of the program's. */
+/* By quadrature over each window, independent of the program's own calculations. */
 static void sky_components_are_those_of_a_quadrature(void **state)
 {
     (void)state;
@@ -178,10 +179,11 @@ static void sky_components_are_those_of_a_quadrature(void **state)
     assert_in_range(beyond_4, 0, 1);
 }
 
-/* ---- the tracer ---- */
+/* ---- the fast tracer ---- */
 
-/* z is the difference of the two daylight factors over its standard error: of independent
- * values the mean is 0 and the variance 1. Of each room there is one value. */
+/* z is the difference of the two daylight factors divided by its standard error. For
+ * independent values the mean of z is 0 and its variance 1. Each room contributes one
+ * value. */
 static void the_tracer_gives_the_same_daylight_factors(void **state)
 {
     (void)state;

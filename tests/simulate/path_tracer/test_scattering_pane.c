@@ -30,7 +30,7 @@ static struct pp_measured_pane *pane_of(const char *basis, made_bsdf_law *law,
     return pane;
 }
 
-/* World of the room; the pane becomes its own. */
+/* World of the room; it takes ownership of the pane. */
 static struct pp_world *room_with(const char *xml, struct pp_measured_pane *pane)
 {
     struct pp_world *world = pp_test_world(xml);
@@ -60,8 +60,8 @@ static void read_plain(const struct pp_world *world,
     pp_light_scene_destroy(scene);
 }
 
-/* Daylight factors at the points, facing up at 0.8 m, within 3 standard errors and 0.5 %
- * of `expected`. turned: seen from the opposite wall. */
+/* Asserts daylight factors at the points, facing up at 0.8 m, within 3 standard errors
+ * and 0.5 % of `expected`. turned: true if the window is in the opposite wall. */
 static void assert_room(const struct pp_world *world, bool turned,
                         const double expected[POINTS])
 {
@@ -88,8 +88,9 @@ static void assert_room(const struct pp_world *world, bool turned,
     free(fast);
 }
 
-/* Illuminances of an independent path tracer over 10,000 lx of an overcast sky; standard
- * errors below 0.1 %. Its data are those of made_bsdf_prism and made_bsdf_lambertian. */
+/* Illuminances by an independent path tracer divided by 10,000 lx of an overcast sky;
+ * standard errors below 0.1 %. Its data are those of made_bsdf_prism and
+ * made_bsdf_lambertian. */
 static void rooms_agree_with_an_independent_tracer(void **state)
 {
     (void)state;
@@ -118,8 +119,8 @@ static void rooms_agree_with_an_independent_tracer(void **state)
     }
 }
 
-/* The overcast sky is the same from all sides, so the axes of the pane must turn with its
- * wall. */
+/* The overcast sky is the same in all directions, so the results must not change if the
+ * wall, and with it the axes of the pane, is turned. */
 static void the_pane_turns_with_its_wall(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* test_render.c - pictures against what is known of the light in them. */
+/* test_render.c - pictures compared with known light. */
 #include "simulate/cache/cache_file.h"
 #include "simulate/cache/cache_grow.h"
 #include "simulate/render/cache_warm_up.h"
@@ -86,7 +86,7 @@ static struct pp_render *rendered(const struct scene *scene,
     return render;
 }
 
-/* Mean of all pixels, black where there is nothing. */
+/* Mean of all pixels; pixels without a surface are black. */
 static double mean_of(const struct pp_render *render)
 {
     const struct pp_picture *picture = pp_render_picture(render);
@@ -99,10 +99,9 @@ static double mean_of(const struct pp_render *render)
     return sum / picture->width / picture->height;
 }
 
-/* Almost square through one pane of clear-single glass, of normal transmittance 0.900,
- * from a black room, which its inside reflects nothing of. The uniform sky's radiance
- * is Eh / pi; the picture is of 2 degrees, over which the transmittance is flat to
- * 1e-4. */
+/* A picture of 2 degrees, almost perpendicular to one pane of clear-single glass with a
+ * normal transmittance of 0.900, from a black room. The radiance of the uniform sky is
+ * Eh / pi; the transmittance is constant to 1e-4 over the picture. */
 static void a_uniform_sky_through_glass_is_dimmed_by_it(void **state)
 {
     (void)state;
@@ -112,7 +111,7 @@ static void a_uniform_sky_through_glass_is_dimmed_by_it(void **state)
                  "<finishes floor='0' walls='0' ceiling='0'/>"
                  "<window wall='south' left='0.2' sill='0.8' width='2.6' "
                  "height='1.5'/></room>");
-    /* Up a little: sky alone. */
+    /* Looking up slightly, so that only sky is visible. */
     double tilt = 5.0 * PP_RAD;
     struct pp_render_options options =
         looking(PP_VIEW_PERSPECTIVE, pp_vec(1.5, 2.0, 1.6),
@@ -126,10 +125,10 @@ static void a_uniform_sky_through_glass_is_dimmed_by_it(void **state)
     clear(&scene);
 }
 
-/* The projection weighs as the cosine does: a disc of radius 1 in a square of side 2
- * has E = pi times its mean, which is 4 / pi times the square's. The illuminance by
- * another route: paths from the point itself. 4096 pixels of 16 paths give it to 1 % or
- * so; the square's own pixels cut the circle to 0.1 %. */
+/* The projection weights directions by the cosine: a disc of radius 1 in a square of
+ * side 2 has E = pi times its mean, which is 4 / pi times that of the square. The
+ * illuminance is also calculated by paths from the point. 4096 pixels of 16 paths give
+ * about 1 %; the pixels at the edge of the circle 0.1 %. */
 static void a_fisheyes_mean_is_the_illuminance(void **state)
 {
     (void)state;
@@ -147,8 +146,8 @@ static void a_fisheyes_mean_is_the_illuminance(void **state)
     clear(&scene);
 }
 
-/* Surfaces give off what they don't reflect, under a sky of one: whoever looks anywhere
- * sees one, but for the noise of 64 paths a pixel. */
+/* Surfaces emit the share they do not reflect, under a sky of 1: every pixel is 1,
+ * except for the noise of 64 paths. */
 static void a_furnace_is_even(void **state)
 {
     (void)state;
@@ -172,17 +171,18 @@ static void a_furnace_is_even(void **state)
     for (int y = 0; y < 16; y++)
         for (int x = 0; x < 16; x++) {
             double one = PP_PI * pp_rgb_luminance(pp_picture_rgb(picture, x, y));
-            assert_near(one, 1.0, 0.15); /* beside the window it is noisiest */
+            assert_near(one, 1.0,
+                        0.15); /* pixels beside the window have the highest noise */
             squares += (one - 1.0) * (one - 1.0) / 256.0;
         }
     assert_true(sqrt(squares) < 0.03);
-    /* The mean of 256 such pixels has a sixteenth of that; four of these. */
+    /* The mean of 256 pixels has a sixteenth of the error of one; four times this. */
     assert_relative(mean_of(render), 1.0 / PP_PI, 4.0 * 0.03 / 16.0);
     pp_render_destroy(render);
     clear(&scene);
 }
 
-/* Down on the floor, the daylight factor is that of a receiver on it. */
+/* Looking down, the daylight factor of the floor is that of a receiver on the floor. */
 static void a_plan_of_daylight_factors_has_those_of_receivers(void **state)
 {
     (void)state;
@@ -201,9 +201,9 @@ static void a_plan_of_daylight_factors_has_those_of_receivers(void **state)
     clear(&scene);
 }
 
-/* The deterioration of decorations dims what is reflected inside and nothing else, as
- * in the tracer, by paths and through a cache. The tracer is known to 0.3 %, the
- * picture by paths to 0.5 %; the cache's default accuracy is worth 1 %. */
+/* The factor for decorations reduces light reflected in the room and no other light, as
+ * in the tracer, with paths and with a cache. The tracer is accurate to 0.3 %, the
+ * picture by paths to 0.5 %, and the default accuracy of the cache is 1 %. */
 static void decorations_dim_a_picture_of_daylight_factors(void **state)
 {
     (void)state;
@@ -247,7 +247,7 @@ static void decorations_dim_a_picture_of_daylight_factors(void **state)
     clear(&scene);
 }
 
-/* Glass, and what is outside a fisheye, have no daylight factor. */
+/* Glass, and pixels outside the circle of a fisheye, have no daylight factor. */
 static void glass_has_no_daylight_factor(void **state)
 {
     (void)state;
@@ -271,8 +271,8 @@ static void glass_has_no_daylight_factor(void **state)
     "<vertex x='3' y='6.6'/><vertex x='0' y='6.6'/></plan>"                            \
     "<window wall='1' left='1.8' sill='0.5' width='2.8' height='1.7'/></room>"
 
-/* Cut, an L-shaped room shows nothing in its missing corner; whoever only looks along
- * parallel rays sees the ground there. */
+/* If an L-shaped room is cut, nothing is visible in its missing corner. In a parallel
+ * projection without a cut the ground is visible there. */
 static void a_cut_room_ends_at_its_walls(void **state)
 {
     (void)state;
@@ -292,9 +292,9 @@ static void a_cut_room_ends_at_its_walls(void **state)
     clear(&scene);
 }
 
-/* Pixels of 0.9 m on the wall at x = 3 m: with a third of it in the room one shows nothing,
- * with two thirds the light there, which is 1 wherever surfaces give off what they don't
- * reflect; within the noise of 256 paths. */
+/* Pixels of 0.9 m on the wall at x = 3 m: a pixel with a third of its area in the room
+ * is empty; a pixel with two thirds shows the light there, which is 1 because surfaces
+ * emit the share that they do not reflect; within the noise of 256 paths. */
 static void a_pixel_shows_the_part_that_is_most_of_it(void **state)
 {
     (void)state;
@@ -310,7 +310,8 @@ static void a_pixel_shows_the_part_that_is_most_of_it(void **state)
                 "glazing='none'/></room>");
     for (int i = 0; i < world->surface_count; i++) {
         world->surfaces[i].exitance = 1.0 - world->surfaces[i].front;
-        world->surfaces[i].back = world->surfaces[i].front; /* the ground sees it */
+        world->surfaces[i].back =
+            world->surfaces[i].front; /* as seen from the ground */
     }
     struct scene scene = scene_in(world, &light);
     for (int third = 1; third <= 2; third++) {
@@ -376,7 +377,7 @@ static struct pp_irradiance_cache *new_cache(const struct scene *scene,
     return cache;
 }
 
-/* A cache grown for the picture in parts of a given number of pixels. */
+/* A cache filled for the picture, with a given number of pixels at a time. */
 static struct pp_irradiance_cache *grown(const struct scene *scene,
                                          const struct pp_render_options *options,
                                          int part_pixels, int threads, double slice_s)
@@ -402,9 +403,9 @@ static struct pp_irradiance_cache *grown(const struct scene *scene,
     return cache;
 }
 
-/* Through a pane with a frame, which asks for its own light, and that of what the glass
- * mirrors, before the ray comes to the house opposite: that has records too. Without, each
- * pixel of it had an error of 10 %. */
+/* Seen through a pane with a frame. The frame and the mirror image in the glass also
+ * read the cache before the ray reaches the house opposite, which must have records
+ * too. Without them each of its pixels had an error of 10 %. */
 static void what_stands_behind_a_framed_pane_is_in_the_cache(void **state)
 {
     (void)state;
@@ -426,9 +427,9 @@ static void what_stands_behind_a_framed_pane_is_in_the_cache(void **state)
     clear(&scene);
 }
 
-/* Shown to the cache in one part or in many, a picture has a record near every pixel's
- * middle; in many they are held a part at a time, and whatever the threads and slices
- * the records are the same to the bit. */
+/* If the cache is filled for one part of the picture or for many, every pixel has a
+ * record near its centre. The records are identical for any number of threads and
+ * slices. */
 static void every_pixel_is_read_between_records(void **state)
 {
     (void)state;
@@ -491,7 +492,8 @@ static struct kept kept_of(const struct pp_render *render)
 static enum pp_status take_up(struct pp_render *render, const char *bytes, size_t size,
                               struct pp_error *err)
 {
-    /* An own block of the very size: a read behind it would be seen. */
+    /* An allocated copy of exactly this size, so that a read beyond its end is
+     * detected. */
     unsigned char *copy = malloc(size + !size);
     assert_non_null(copy);
     memcpy(copy, bytes, size);
@@ -550,7 +552,8 @@ static void see_picture(struct pp_irradiance_cache *cache,
     options->ambient_hash = pp_render_cache_hash(cache);
 }
 
-/* A checkpoint keeps the cache: it is not grown again, and the picture is the same. */
+/* A checkpoint contains the cache: it is not filled again, and the picture is
+ * identical. */
 static void a_picture_through_a_cache_is_taken_up_with_it(void **state)
 {
     (void)state;
@@ -619,7 +622,7 @@ static void a_checkpoint_is_taken_whole_or_not_at_all(void **state)
     assert_int_equal(take_up(fresh, kept.bytes, kept.size, &err), PP_OK);
     assert_true(pp_render_done(fresh));
 
-    /* Another seed, another eye, another scene: another picture. */
+    /* A different seed, view point or scene is rejected. */
     options.seed++;
     struct pp_render *other = begun(&scene, &options);
     assert_int_equal(take_up(other, kept.bytes, kept.size, &err), PP_BAD_INPUT);

@@ -1,5 +1,5 @@
-/* test_gloss.c - the Gaussian gloss: all the light given back at any angle, either way,
- * and directions drawn as the lobe is shaped. */
+/* test_gloss.c - the Gaussian gloss: energy is conserved at any angle, the lobe is
+ * reciprocal, and sampled directions follow the lobe. */
 #include "simulate/sampling/gloss.h"
 
 #include "simulate/sampling/hash.h"
@@ -28,8 +28,8 @@ static struct pp_gloss *gloss_of(double along, double across)
     return &gloss;
 }
 
-/* Sums of what comes of directions drawn on a grid: all, its parts along x, its squares
- * across, and all without the scales at the two ends. */
+/* Sums over directions sampled on a grid: all, weighted by x, by the square of y, and
+ * all without the scales at the two ends. */
 struct moments {
     double all, x, yy, unscaled;
 };
@@ -52,8 +52,8 @@ static struct moments drawn(const struct pp_gloss *gloss, struct pp_vec3 i, int 
     return sum;
 }
 
-/* To what the table loses between its nodes: 0.3 %, of which half is this test's own
- * grid; 1 % where one roughness is hundreds of times the other. */
+/* Energy is conserved to the error of the table between its nodes: 0.3 %, half of it
+ * from the grid of this test; 1 % if one roughness is hundreds of times the other. */
 static void a_gloss_gives_back_all_that_it_gets_at_any_angle(void **state)
 {
     (void)state;
@@ -73,10 +73,10 @@ static void a_gloss_gives_back_all_that_it_gets_at_any_angle(void **state)
     }
 }
 
-/* Albedo of [GMD10] by itself, from another route: over the facets' slopes across the
- * plane of incidence in closed form, with error functions, along it by adaptive
- * quadrature in another language. At normal incidence and roughness a all is closed: 1 -
- * a^2 + a^2 exp(-1/a^2). */
+/* Albedo of [GMD10] without the correction, calculated independently: in closed form
+ * with error functions over the slopes of facets across the plane of incidence, and by
+ * adaptive quadrature along it. At normal incidence and roughness a there is a closed
+ * form: 1 - a^2 + a^2 exp(-1/a^2). */
 static void unscaled_the_lobe_loses_what_facets_throw_down(void **state)
 {
     (void)state;
@@ -95,8 +95,8 @@ static void unscaled_the_lobe_loses_what_facets_throw_down(void **state)
     }
 }
 
-/* The scale by another route: the lobe integrated over a grid of directions, 160
- * cosines by 512 azimuths, in another language. Both grids are good to 0.001. */
+/* The scale calculated independently: the lobe integrated over a grid of 160 cosines by
+ * 512 azimuths. Both grids are accurate to 0.001. */
 static void the_scale_is_that_of_another_discretisation(void **state)
 {
     (void)state;
@@ -112,7 +112,7 @@ static void the_scale_is_that_of_another_discretisation(void **state)
     }
 }
 
-/* To rounding. */
+/* Reciprocal except for rounding. */
 static void light_may_run_either_way(void **state)
 {
     (void)state;
@@ -130,8 +130,8 @@ static void light_may_run_either_way(void **state)
     }
 }
 
-/* Two routes to the same moments: by drawn directions with their weights, which are the
- * lobe times the cosine over the density, and by the lobe's value over the hemisphere
+/* Two ways to the same moments: sampled directions with their weights, the lobe times
+ * the cosine divided by the density; and the lobe's value over the hemisphere
  * (midpoints, a quarter of a degree by half a degree). */
 static void directions_are_drawn_as_the_lobe_is_shaped(void **state)
 {
@@ -160,9 +160,9 @@ static void directions_are_drawn_as_the_lobe_is_shaped(void **state)
     }
 }
 
-/* Brushed: seen from above, light spreads across the brush by the second roughness and
- * along it hardly at all. The RMS of a slope a r cos is a / sqrt 2; the scale hardly
- * changes over that range. */
+/* A brushed surface seen from above: light spreads across the brushing by the second
+ * roughness, and hardly along it. The RMS of a slope a r cos is a / sqrt 2; the scale
+ * hardly changes in this range. */
 static void slopes_spread_by_the_roughness_of_their_direction(void **state)
 {
     (void)state;
@@ -181,8 +181,8 @@ static void slopes_spread_by_the_roughness_of_their_direction(void **state)
     assert_relative(sqrt(across), 0.2 / sqrt(2.0), 0.02);
 }
 
-/* Turned by a quarter, the two roughnesses change places; where both are the same,
- * the azimuth is of no account. */
+/* After a rotation by 90 degrees the two roughnesses are exchanged; if they are equal,
+ * azimuth does not matter. */
 static void roughnesses_go_with_their_axes(void **state)
 {
     (void)state;
@@ -191,7 +191,7 @@ static void roughnesses_go_with_their_axes(void **state)
     assert_int_equal(pp_gloss_init(&other, 0.4, 0.07, NULL), PP_OK);
     struct pp_vec3 i = towards(63.0, 20.0), o = towards(41.0, 190.0);
     struct pp_vec3 i_turned = towards(63.0, 110.0), o_turned = towards(41.0, 280.0);
-    /* The two tables are worked out over facets that are not turned with them. */
+    /* The two tables were calculated for facets that are not rotated with them. */
     assert_relative(pp_gloss_value(&one, i, o),
                     pp_gloss_value(&other, i_turned, o_turned), 1e-3);
     struct pp_gloss *even = gloss_of(0.25, 0.25);
@@ -199,7 +199,7 @@ static void roughnesses_go_with_their_axes(void **state)
                     pp_gloss_value(even, i_turned, o_turned), 1e-12);
 }
 
-/* Rough in one direction only, it is no mirror yet. */
+/* A surface that is rough in one direction only is not a mirror. */
 /* Over the hemisphere by quadrature, where the lobe is wide enough for one: the density
  * of directions is 1 in all but for those of slopes whose both facets mirror light down,
  * and it is that of the samples, each of which is worth f' cos o over it. */

@@ -1,5 +1,5 @@
-/* test_rough_lobe.c - directions drawn from the lobe of a physically rough surface carry
- * the light that quadrature finds. */
+/* test_rough_lobe.c - sampled directions of a physically rough surface give the albedo
+ * found by quadrature. */
 #include "simulate/sampling/rough_lobe.h"
 
 #include "tests/lib/near.h"
@@ -19,9 +19,9 @@ static const struct pp_rough_surface *surface_of(double s0, double t, double k)
     return &surface;
 }
 
-/* The mean weight over a grid of numbers is the albedo that the quadrature of the
- * tables has found, to their 0.6 % between angles; every drawn direction has its own
- * density. */
+/* The mean weight over a grid of random numbers is the albedo from the quadrature of
+ * the tables, to their error of 0.6 % between angles; every sampled direction has the
+ * stated density. */
 static void drawn_directions_carry_the_albedo(void **state)
 {
     (void)state;
@@ -54,7 +54,7 @@ static void drawn_directions_carry_the_albedo(void **state)
     }
 }
 
-/* The density integrates to 1, less what the lobe itself cannot reach. */
+/* The density integrates to 1, less the part that the lobe cannot reach. */
 static void the_density_is_one_of_probability(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* test_sample_opening.c - directions towards openings, against closed forms. */
+/* test_sample_opening.c - directions towards openings, compared with closed forms. */
 #include "simulate/sampling/sample_polygon.h"
 #include "simulate/sampling/sobol.h"
 
@@ -27,7 +27,8 @@ static struct pp_target window(double x, double z, double width, double height)
                               .height_m = height};
 }
 
-/* Lambert's formula: the integral of the cosine over a polygon all before n. */
+/* Lambert's formula: the integral of the cosine over a polygon that is entirely in
+ * front of n. */
 static double lambert(const struct pp_vec3 *p, int count, struct pp_vec3 from,
                       struct pp_vec3 n)
 {
@@ -42,7 +43,8 @@ static double lambert(const struct pp_vec3 *p, int count, struct pp_vec3 from,
     return fabs(sum) / 2.0;
 }
 
-/* Solid angle of a rectangle whose corner is the foot of the point. */
+/* Solid angle of a rectangle with one corner at the foot of the perpendicular from the
+ * point. */
 static double corner_solid_angle(double a, double b, double d)
 {
     return atan2(a * b, d * sqrt(a * a + b * b + d * d));
@@ -73,7 +75,8 @@ static void sample_sums(const struct pp_target *target, struct pp_vec3 from,
         double c = pp_vec_dot(sample.direction, n);
         *facing += sample.per_density * (c > 0.0 ? c : 0.0) / (1 << m);
         assert_near(pp_vec_length(sample.direction), 1.0, 1e-9);
-        /* The density is told for a given direction too, to rounding at grazing ones. */
+        /* The density of a given direction agrees, except for rounding at grazing
+         * directions. */
         assert_relative(pp_sample_polygon_pdf(&sampler, sample.direction)
                             * sample.per_density,
                         1.0, 1e-5);
@@ -85,8 +88,8 @@ static void sample_sums(const struct pp_target *target, struct pp_vec3 from,
 
 static const struct pp_vec3 up = {0.0, 0.0, 1.0};
 
-/* Near and far, low and high, straight on and askew: the two densities and the guess
- * on top leave the integrals what they are. 2^14 points of a net give 1e-4. */
+/* Near and far, low and high, in front and to one side: the choice of density and the
+ * weighting do not change the integrals. 2^14 points of a net give 1e-4. */
 static void a_rectangle_has_its_solid_angle_from_anywhere(void **state)
 {
     (void)state;
@@ -106,9 +109,9 @@ static void a_rectangle_has_its_solid_angle_from_anywhere(void **state)
     }
 }
 
-/* A window 9 m long, from before its middle to past its end, near and far: the guess of what it
- * brings is right to a factor of 4. By the direction to its middle alone it is 40 times too
- * low near the end. */
+/* A window 9 m long, seen from in front of its middle to beyond its end, near and far:
+ * the estimate of its contribution is correct to a factor of 4. An estimate from its
+ * middle alone is 40 times too low near the end. */
 static void a_long_window_is_guessed_at_near_its_end(void **state)
 {
     (void)state;
@@ -132,7 +135,7 @@ static void a_long_window_is_guessed_at_near_its_end(void **state)
 static void a_polygon_has_its_configuration_factor(void **state)
 {
     (void)state;
-    /* A sloping triangle and a trapezium that together are a pentagon. */
+    /* A sloping triangle and a trapezium that together form a pentagon. */
     struct pp_vec3 slope = pp_vec_unit(pp_vec(0.0, 0.5, -1.0));
     struct pp_vec3 along = {1.0, 0.0, 0.0}, over = pp_vec_cross(slope, along);
     struct pp_vec3 origin = {0.7, 1.1, 2.9};
@@ -196,8 +199,8 @@ static void density_is_right_in_every_part_of_a_rectangle(void **state)
     }
 }
 
-/* A receiver facing up beside a window, all of it above: the cosine is guessed so well
- * that 64 directions give the configuration factor to 1 %. */
+/* A receiver facing up beside a window that is entirely above it: the estimate of the
+ * cosine is so good that 64 directions give the configuration factor to 1 %. */
 static void the_guess_makes_a_few_directions_enough(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_scatter.c - where light goes from a surface: the shares of its lobes, and which
- * way they lie. */
+/* test_scatter.c - scattering at a surface: the shares of its lobes and their
+ * directions. */
 #include "simulate/sampling/scatter.h"
 
 #include "tests/lib/near.h"
@@ -25,7 +25,8 @@ static struct pp_vec3 towards(double tilt_deg, double azimuth_deg)
     return pp_vec(sin(t) * cos(a), sin(t) * sin(a), cos(t));
 }
 
-/* A grained gloss in a frame of the world's: by whichever axes it is tabulated. */
+/* A brushed gloss in world coordinates does not depend on the axes used for its
+ * table. */
 static void a_gloss_lies_along_its_grain(void **state)
 {
     (void)state;
@@ -69,8 +70,8 @@ static void a_smooth_gloss_is_a_mirror(void **state)
     assert_true(pp_rgb_is_black(lobes.share[PP_LOBE_GLOSS]));
 }
 
-/* Clear glass: what is not reflected or let through is absorbed; of a lossless pane
- * nothing is. A frame and dirt take their shares. */
+/* Clear glass absorbs the light that it neither reflects nor transmits; a lossless pane
+ * absorbs nothing. A frame and dirt absorb their shares. */
 static void glass_shares_light_out_as_its_law_says(void **state)
 {
     (void)state;
@@ -95,8 +96,8 @@ static void glass_shares_light_out_as_its_law_says(void **state)
     assert_near(lobes.share[PP_LOBE_STRAIGHT].g, clear.normal * 0.7 * 0.8, 1e-12);
     assert_near(lobes.share[PP_LOBE_DIFFUSE].g, 0.3 * 0.5, 1e-12);
 
-    /* The frame is no mirror: of a lossless pane 2 rho/(1 + rho), where there is glass.
-     * Dirt, which lies outside, takes nothing of it. */
+    /* The frame is not a mirror: a lossless pane reflects 2 rho/(1 + rho) of the light
+     * on its glass. Dirt, which is outside, does not change this. */
     struct pp_glass lossless = pp_glass_panes(1, 1.52, 0.0);
     framed = pp_material_glazing(&lossless, 0.7, 0.8, 0.5);
     lobes = lobes_of(&framed, up);
@@ -106,7 +107,7 @@ static void glass_shares_light_out_as_its_law_says(void **state)
 static void translucent_panels_share_light_out_as_radiance_does(void **state)
 {
     (void)state;
-    /* By hand: 0.9 colour, 0.05 specular, 0.6 through, 0.25 of that straight. */
+    /* By hand: colour 0.9, specular 0.05, transmitted 0.6, of which 0.25 is direct. */
     struct pp_material trans =
         pp_material_trans(pp_rgb_grey(0.9), 0.05, 0.0, 0.6, 0.25);
     assert_near(trans.diffuse.g, 0.9 * 0.95 * 0.4, 1e-12);
@@ -119,7 +120,7 @@ static void translucent_panels_share_light_out_as_radiance_does(void **state)
     assert_true(
         pp_scatter_sample(&lobes, PP_LOBE_THROUGH_DIFFUSE, 0.4, 0.7, &o, &factor));
     assert_true(o.z < 0.0);
-    /* Rough, what goes through spreads as the gloss does, on the other side. */
+    /* With roughness, transmitted light spreads like the gloss, on the other side. */
     trans = pp_material_trans(pp_rgb_grey(0.9), 0.05, 0.2, 0.6, 0.25);
     lobes = lobes_of(&trans, towards(20.0, 0.0));
     struct pp_vec3 above = towards(25.0, 170.0), below = above;

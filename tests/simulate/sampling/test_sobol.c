@@ -15,7 +15,7 @@ static int make_sobol(void **state)
     return 0;
 }
 
-/* A (0, m, 2)-net has one point in each box of 2^-a by 2^-(m-a), whatever a. */
+/* A (0, m, 2)-net has one point in each box of 2^-a by 2^-(m-a), for any a. */
 static void assert_net(uint64_t seed, int vertex, uint32_t first, int m)
 {
     struct pp_sobol_sequence sequence;
@@ -49,7 +49,7 @@ static void a_sum_is_extended_by_nets(void **state)
     assert_net(11, 9, UINT32_C(3) << 20, 10);
 }
 
-/* In one dimension each of the six is a net on its own, too. */
+/* In each of the six dimensions the points form a one-dimensional net. */
 static void every_dimension_falls_once_into_each_interval(void **state)
 {
     (void)state;
@@ -68,9 +68,9 @@ static void every_dimension_falls_once_into_each_interval(void **state)
             assert_int_equal(hits[k][i], 1);
 }
 
-/* The first four direction numbers m of each dimension: those printed in [JK08], the rest
- * by its recurrence on paper, as 2 x 3 + 4 + 1 without carry, 3. The table has the digits
- * of m turned round, at the index whose binary digit is as high. */
+/* The first four direction numbers m of each dimension: printed in [JK08], the rest by
+ * its recurrence by hand, such as 2 x 3 + 4 + 1 without carry, 3. The table stores m
+ * with reversed digits, at the index of its highest binary digit. */
 static void direction_numbers_are_the_printed_ones(void **state)
 {
     (void)state;
@@ -79,7 +79,7 @@ static void direction_numbers_are_the_printed_ones(void **state)
                                                        {1, 1, 1, 11}, {1, 1, 3, 3}};
     for (int dimension = 0; dimension < PP_SOBOL_DIMENSIONS; dimension++)
         for (int k = 0; k < 4; k++) {
-            /* In dimension 1 (van der Corput's) the digit k alone. */
+            /* Dimension 1 (van der Corput's) has only the digit k. */
             uint32_t turned = 0;
             for (int digit = 0; digit <= k; digit++)
                 turned |= (m[dimension][k] >> digit & 1) << (k - digit);
@@ -87,8 +87,8 @@ static void direction_numbers_are_the_printed_ones(void **state)
         }
 }
 
-/* Each point of a randomisation is uniform on its own: over seeds, point 5 fills the
- * square evenly. Chi-square with 63 degrees of freedom, below 119 but for one set of
+/* Each point of a randomisation is uniform by itself: over seeds, point 5 fills the
+ * square uniformly. Chi-square with 63 degrees of freedom exceeds 119 for one set of
  * seeds in 10^5. */
 static void one_point_is_uniform_over_the_scrambles(void **state)
 {
@@ -108,8 +108,8 @@ static void one_point_is_uniform_over_the_scrambles(void **state)
     assert_true(chi2 < 119.0);
 }
 
-/* The mean of x y over vertices 0 and 4, 1/4 if they are independent; the spread of
- * one sum of 2^16 independent products is 0.22 / 2^8. */
+/* The mean of x y over vertices 0 and 4 is 1/4 if they are independent; the standard
+ * deviation of the mean of 2^16 independent products is 0.22 / 2^8. */
 static void vertices_of_a_path_do_not_follow_each_other(void **state)
 {
     (void)state;
@@ -127,7 +127,8 @@ static void vertices_of_a_path_do_not_follow_each_other(void **state)
     }
 }
 
-/* Owen scrambling keeps shared leading digits shared and parts what follows. */
+/* Owen scrambling keeps shared leading digits equal and separates the following
+ * digits. */
 static void digits_hang_on_the_digits_before_them_only(void **state)
 {
     (void)state;
@@ -142,7 +143,7 @@ static void digits_hang_on_the_digits_before_them_only(void **state)
     }
 }
 
-/* Vertices whose seeds are kept and others, in all dimensions. */
+/* Vertices with stored seeds and others, in all dimensions. */
 static void a_run_has_the_points_of_the_sequence(void **state)
 {
     (void)state;
@@ -165,8 +166,8 @@ static void a_run_has_the_points_of_the_sequence(void **state)
     }
 }
 
-/* The middle of the square, where the map divides nothing by nothing, its diagonals and
- * its rim are among the directions. */
+/* The directions include the centre of the square, where the map divides zero by zero,
+ * its diagonals and its edge. */
 static void a_run_of_the_lobe_has_its_directions(void **state)
 {
     (void)state;
@@ -205,8 +206,8 @@ static void small_sine_and_cosine_are_the_library_s(void **state)
     }
 }
 
-/* Moments of the cosine lobe about an awkward normal: mean cosine 2/3, mean square
- * 1/2, nothing sideways. A net of 2^14 points gets them to 1e-4. */
+/* Moments of the cosine lobe about an arbitrary normal: mean cosine 2/3, mean square
+ * 1/2, zero sideways. A net of 2^14 points gives 1e-4. */
 static void lobe_is_cosine_weighted_about_its_normal(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* test_convex_room.c - what a ray meets by planes alone is what the kernels say. */
+/* test_convex_room.c - intersections with the planes of a convex room equal those of
+ * the general ray tracer. */
 #include "simulate/scene/convex_room.h"
 
 #include <math.h>
@@ -23,7 +24,7 @@
     "<opening><vertex x='1.5' y='2.1' z='2.9'/><vertex x='1.7' y='3.6' z='2.9'/>"      \
     "<vertex x='3.8' y='2.9' z='2.9'/></opening>"
 
-/* With niches of all kinds: deep, shallow, in a ceiling, triangular. */
+/* Niches of all kinds: deep, shallow, in a ceiling, triangular. */
 #define NICHES                                                                         \
     "<room version='1'><plan width='3.1' depth='7.3' height='2.7'/>"                   \
     "<window wall='south' left='0.3' sill='0.8' width='2.3' height='1.4' "             \
@@ -41,8 +42,8 @@ static double draw(uint64_t *series, double low, double high)
     return low + (high - low) * (double)(*series >> 11) * 0x1p-53;
 }
 
-/* Rays between points of the room that is empty and convex: `from` a surface and from
- * the air. Apart from edges, which one ray in some thousands comes near to. */
+/* Compares rays between points of an empty convex room, from a surface and from the
+ * air. Rays close to edges, about one in some thousands, are excluded. */
 static void compare(struct pp_light_scene *scene, struct pp_vec3 middle)
 {
     enum { RAYS = 20000 };
@@ -66,8 +67,8 @@ static void compare(struct pp_light_scene *scene, struct pp_vec3 middle)
                 differ++;
                 continue;
             }
-            /* A ray of the kernels starts off its surface by some 1e-5 m, which moves
-             * its end the more the flatter it comes in. */
+            /* The general ray tracer starts a ray about 1e-5 m off its surface, which
+             * moves its end, especially at grazing incidence. */
             double cosine = -pp_vec_dot(met.normal, ray.to);
             struct pp_vec3 off = pp_vec_sub(met.point, kernel.point);
             assert_near(cosine * (met.distance_m - kernel.distance_m), 0.0, 2e-5);
@@ -101,7 +102,7 @@ static void rays_meet_what_the_kernels_say(void **state)
     }
 }
 
-/* Exactly: from the floor's middle straight up lies the ceiling, or the rooflight. */
+/* Exactly: directly above the middle of the floor is the ceiling, or the rooflight. */
 static void straight_up_lie_ceiling_and_rooflight(void **state)
 {
     (void)state;
@@ -127,9 +128,9 @@ static void straight_up_lie_ceiling_and_rooflight(void **state)
     pp_world_destroy(world);
 }
 
-/* By planes alone: what passes the mouth of a niche 0.4 m deep meets the pane behind it, or
- * one of its sides on the way; a niche that is no box, and all that starts in one, is the
- * kernels'. */
+/* By planes alone: a ray that passes the mouth of a niche 0.4 m deep meets the pane
+ * behind it, or one of its sides. Rays that meet a niche of another shape, and all rays
+ * that start in a niche, use the general ray tracer. */
 static void behind_the_mouth_of_a_niche_stand_its_pane_and_its_sides(void **state)
 {
     (void)state;
@@ -140,7 +141,7 @@ static void behind_the_mouth_of_a_niche_stand_its_pane_and_its_sides(void **stat
         struct pp_vec3 from, to;
         int meets;
         double distance_m;
-        struct pp_vec3 normal; /* there */
+        struct pp_vec3 normal; /* at this point */
     } at[] = {
         {{1.5, 3.2, 1.4}, {0.0, -1.0, 0.0}, PANE, 3.6, {0.0, 1.0, 0.0}},
         {{1.5, 3.0, 1.4},
@@ -148,11 +149,11 @@ static void behind_the_mouth_of_a_niche_stand_its_pane_and_its_sides(void **stat
          PANE,
          3.4 * 1.044030650891055,
          {0.0, 1.0, 0.0}},
-        /* The niche's upper side lies at 2.2; the ray is at 2.16 at the mouth, at 2.26 at
-         * the pane. */
+        /* The upper side of the niche is at 2.2; the ray is at 2.16 at the mouth and at
+         * 2.26 at the pane. */
         {{1.5, 3.0, 1.4}, {0.0, -3.0, 0.76}, SIDE, 3.257652, {0.0, 0.0, -1.0}},
         {{1.5, 3.0, 1.4}, {0.0, -3.0, 0.86}, WALL, 3.120833, {0.0, 1.0, 0.0}},
-        /* The niche's left side at 0.3, which is reached at y = -0.2. */
+        /* The left side of the niche is at 0.3, where the ray arrives at y = -0.2. */
         {{1.5, 3.0, 1.4}, {-1.2, -3.2, 0.0}, SIDE, 3.417601, {1.0, 0.0, 0.0}},
         {{1.5, 3.0, 1.4}, {1.1, -3.2, -0.1}, SIDE, 3.385262, {-1.0, 0.0, 0.0}},
         {{1.5, 3.0, 1.4}, {0.0, -3.2, -0.6}, SIDE, 3.255764, {0.0, 0.0, 1.0}},
@@ -184,8 +185,8 @@ static void behind_the_mouth_of_a_niche_stand_its_pane_and_its_sides(void **stat
     pp_world_destroy(world);
 }
 
-/* In the depth of a niche a point is not in the room; on its mouth, a wall or in a corner it
- * is. */
+/* A point inside a niche is not in the convex room; a point on its mouth, on a wall or
+ * in a corner is. */
 static void a_niche_is_not_enclosed_by_the_room(void **state)
 {
     (void)state;
@@ -205,7 +206,8 @@ static void a_niche_is_not_enclosed_by_the_room(void **state)
     pp_world_destroy(world);
 }
 
-/* From the air, from a wall, from corners and from outside, along the axes as well. */
+/* Rays from the air, from a wall, from corners and from outside, also parallel to the
+ * axes. */
 static void rays_of_a_run_meet_what_each_meets_alone(void **state)
 {
     (void)state;
@@ -282,7 +284,7 @@ static void a_room_with_a_corner_or_a_table_is_left_to_the_kernels(void **state)
                           "</surface></room>");
 }
 
-/* Outside there may be anything. */
+/* Outside, other objects may exist. */
 static void a_ray_from_outside_is_left_to_the_kernels(void **state)
 {
     (void)state;

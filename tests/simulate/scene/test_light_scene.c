@@ -1,4 +1,4 @@
-/* test_light_scene.c - what rays meet in scenes of any shapes. */
+/* test_light_scene.c - intersections of rays with scenes of any shapes. */
 #include "simulate/scene/light_scene.h"
 
 #include "simulate/scene/light_scene_of_description.h"
@@ -51,7 +51,8 @@ static void assert_at(struct pp_vec3 p, double x, double y, double z, double nea
     assert_near(p.z, z, near);
 }
 
-/* Single precision finds the shape; the point on it is double: 1e-12 of the size. */
+/* The shape is found in single precision; the point on it is calculated in double
+ * precision: 1e-12 of the size. */
 static void a_sphere_is_met_where_it_is_from_outside_and_from_inside(void **state)
 {
     (void)state;
@@ -74,7 +75,7 @@ static void a_sphere_is_met_where_it_is_from_outside_and_from_inside(void **stat
     assert_at(hit.normal, -0.6, 0.0, -0.8, 1e-9);
     assert_true(hit.back);
     assert_false(look(made, pp_vec(1.0, -4.0, 3.71), pp_vec(0.0, 1.0, 0.0), &hit));
-    /* One that leaves it does not meet it again. */
+    /* A ray that leaves the sphere does not meet it again. */
     struct pp_light_ray away = {.from = pp_vec(1.0, 1.3, 3.0),
                                 .off = pp_vec(0.0, -1.0, 0.0),
                                 .to = pp_vec_unit(pp_vec(1.0, -1e-3, 0.3))};
@@ -88,7 +89,7 @@ static void cones_are_open_and_rings_have_holes(void **state)
     struct pp_scene_description scene;
     pp_scene_description_init(&scene);
     add(&scene, "tin");
-    /* A cone from radius 1 at z = 0 to 0.5 at z = 2, and a ring over it. */
+    /* A cone from radius 1 at z = 0 to 0.5 at z = 2, and a ring above it. */
     add_shape(
         &scene,
         (struct pp_shape){
@@ -105,10 +106,10 @@ static void cones_are_open_and_rings_have_holes(void **state)
     struct pp_light_hit hit;
     assert_true(look(made, pp_vec(5.0, 0.0, 1.0), pp_vec(-1.0, 0.0, 0.0), &hit));
     assert_at(hit.point, 0.75, 0.0, 1.0, 1e-9);
-    /* The surface leans by 1 in 4. */
+    /* The surface is inclined by 1 in 4. */
     assert_at(hit.normal, 4.0 / sqrt(17.0), 0.0, 1.0 / sqrt(17.0), 1e-9);
     assert_false(hit.back);
-    /* From inside: its back, and out by the open end through the ring's hole. */
+    /* From inside: its back, and out through the open end and the hole of the ring. */
     assert_true(look(made, pp_vec(0.0, 0.0, 1.0), pp_vec(0.0, 1.0, 0.0), &hit));
     assert_at(hit.point, 0.0, 0.75, 1.0, 1e-9);
     assert_true(hit.back);
@@ -120,8 +121,9 @@ static void cones_are_open_and_rings_have_holes(void **state)
     pp_light_scene_destroy(made);
 }
 
-/* Shoots down at every tenth of a metre of a polygon in the plane z = 0: what is met
- * is what the crossings of a ray along the plane say. Returns how often it is met. */
+/* Shoots rays down at every tenth of a metre of a polygon in the plane z = 0, and
+ * compares the hits with the number of crossings of a ray in the plane. Returns the
+ * number of hits. */
 static int met_as_crossed(const struct pp_vec3 *v, int count)
 {
     struct pp_scene_description scene;
@@ -151,7 +153,7 @@ static int met_as_crossed(const struct pp_vec3 *v, int count)
     return met;
 }
 
-/* A square with a square hole, joined by a seam, as Radiance's files have them. */
+/* A square with a square hole, joined by a seam, as in Radiance files. */
 static void a_hole_joined_by_a_seam_lets_rays_through(void **state)
 {
     (void)state;
@@ -160,22 +162,23 @@ static void a_hole_joined_by_a_seam_lets_rays_through(void **state)
     assert_int_equal(met_as_crossed(v, 10), 1600 - 400);
 }
 
-/* Radiance counts crossings: which way round the hole runs is nothing to it. */
+/* Radiance counts crossings: the orientation of the hole does not matter. */
 static void a_hole_may_run_round_as_its_rim_does(void **state)
 {
     (void)state;
     const struct pp_vec3 v[] = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0},
                                 {1, 1, 0}, {3, 1, 0}, {3, 3, 0}, {1, 3, 0}, {1, 1, 0}};
     assert_int_equal(met_as_crossed(v, 10), 1600 - 400);
-    /* From another corner of either, and the loop's ends in the middle of the seam. */
+    /* Starting from another corner, with the ends of the loop in the middle of the
+     * seam. */
     const struct pp_vec3 w[] = {{3, 1, 0}, {3, 3, 0}, {1, 3, 0}, {1, 1, 0}, {3, 1, 0},
                                 {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0}, {4, 0, 0}};
     assert_int_equal(met_as_crossed(w, 10), 1600 - 400);
 }
 
-/* A five-pointed star turns left at each of its corners, twice round: its middle is
- * crossed twice. A crossed strip is met on either side of the crossing; a triangle run
- * round twice is nothing. */
+/* A five-pointed star turns left at each corner and winds twice around its centre,
+ * which is crossed twice. A crossed strip is met on both sides of the crossing; a
+ * triangle traced twice is not met. */
 static void outlines_that_cross_themselves_are_what_crossings_make_them(void **state)
 {
     (void)state;
@@ -298,7 +301,7 @@ static void a_room_is_met_by_its_surfaces_names(void **state)
     pp_world_destroy(world);
 }
 
-/* Named finishes have their gloss; all of it is what the hand methods take. */
+/* Named finishes have a gloss; hand methods use their total reflectance. */
 static void a_named_finish_brings_its_gloss(void **state)
 {
     (void)state;
@@ -365,8 +368,9 @@ static void a_small_ball_far_away_is_met(void **state)
     pp_light_scene_destroy(made);
 }
 
-/* A scene of 80 sorts of glass, each twice, and a coloured one: the first sorts have a curve,
- * which both panes share; whoever has none is asked by its law, which is the same. */
+/* A scene of 80 kinds of glass, each used twice, and a coloured one: the first kinds
+ * have a tabulated curve, which both panes share. The others are evaluated by their
+ * formula, which gives the same value. */
 static void glass_is_its_law_with_and_without_a_curve(void **state)
 {
     (void)state;

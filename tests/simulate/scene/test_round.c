@@ -5,8 +5,8 @@
 
 enum { SIDE = 100 };
 
-/* Mean of the points' squares of the distance from an axis, over a grid of numbers whose
- * midpoint sums are good to 1e-4. */
+/* Mean square distance of the points from an axis, over a grid of random numbers whose
+ * midpoint sums are accurate to 1e-4. */
 static double mean_square(const struct pp_shape *shape, struct pp_vec3 centre,
                           struct pp_vec3 along)
 {
@@ -20,8 +20,8 @@ static double mean_square(const struct pp_shape *shape, struct pp_vec3 centre,
     return sum;
 }
 
-/* All are a radius off the centre, and about each axis the mean square is 2/3 of the
- * radius' square. */
+/* All points are one radius from the centre, and the mean square distance from each
+ * axis is 2/3 of the squared radius. */
 static void a_spheres_points_are_even_about_any_axis(void **state)
 {
     (void)state;
@@ -39,7 +39,8 @@ static void a_spheres_points_are_even_about_any_axis(void **state)
     assert_near(pp_round_area(&sphere), 4.0 * M_PI * 0.49, 1e-12);
 }
 
-/* Between radii a and b the mean square off the axis is (a^2 + b^2)/2, in the plane. */
+/* Between radii a and b the mean square distance from the axis is (a^2 + b^2)/2, in the
+ * plane. */
 static void a_rings_points_are_even(void **state)
 {
     (void)state;
@@ -53,8 +54,8 @@ static void a_rings_points_are_even(void **state)
     assert_near(pp_round_area(&ring), M_PI * (1.21 - 0.16), 1e-12);
 }
 
-/* Points of a cone from radius a to b are even, too; the radius goes evenly along the
- * axis. */
+/* Points of a cone from radius a to b are uniform by area; the radius changes linearly
+ * along the axis. */
 static void a_cones_points_are_even(void **state)
 {
     (void)state;

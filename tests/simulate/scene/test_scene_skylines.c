@@ -1,10 +1,10 @@
-/* test_scene_skylines.c - directions that a skyline just hides, and those that it doesn't. */
+/* test_scene_skylines.c - directions just hidden and just not hidden by a skyline. */
 #include "simulate/scene/scene_skylines.h"
 
 #include "tests/lib/near.h"
 
-/* Without a distance it hides what rises less than its angle, times the cosine of how far
- * aside one looks. */
+/* Without a distance a skyline hides directions that rise less than its angle, times
+ * the cosine of the angle to its normal. */
 static void a_far_face_hides_directions(void **state)
 {
     (void)state;

@@ -1,11 +1,11 @@
-/* test_radiance_mirrors.c - lamps and the sun in mirrors: what they give, and what
- * of it is left to chance. */
+/* test_radiance_mirrors.c - lamps and the sun in mirrors: their light, and the part
+ * that only random paths find. */
 #include "simulate/scene/light_scene_parts.h"
 #include "simulate/scene/unsampled.h"
 #include "tests/lib/light_scenes.h"
 #include "tests/lib/sampled_light.h"
 
-/* The bound on what so many paths that have found light may have missed. */
+/* Limit on the light that this number of paths may have missed. */
 static struct pp_rgb bound_at(const struct pp_light_scene *scene, struct pp_vec3 point,
                               bool by_chance, double paths)
 {
@@ -19,8 +19,8 @@ static struct pp_rgb bound_at(const struct pp_light_scene *scene, struct pp_vec3
 
 static const struct pp_vec3 up = {0.0, 0.0, 1.0};
 
-/* A lamp over the corner of up to two mirrors, x = -0.7 and y = -0.9; or, for each,
- * what it shows as lamps of their own. */
+/* A lamp above the corner of up to two mirrors, x = -0.7 and y = -0.9; or, for each
+ * mirror, its images as separate lamps. */
 static struct pp_light_scene *by_mirrors(int mirrors, bool as_lamps,
                                          struct pp_material mirror)
 {
@@ -45,8 +45,9 @@ static struct pp_light_scene *by_mirrors(int mirrors, bool as_lamps,
     return pp_test_built(&scene);
 }
 
-/* Each mirror doubles the lamps: one shows a second, a corner of two a fourth by both.
- * The tolerance is of rays that are lifted off what they leave. */
+/* Each mirror doubles the number of lamps: one mirror shows a second lamp; a corner of
+ * two mirrors shows a fourth, by both. The tolerance allows for the offset of rays from
+ * surfaces. */
 static void a_mirror_gives_as_much_as_a_lamp_behind_it(void **state)
 {
     (void)state;
@@ -67,8 +68,8 @@ static void a_mirror_gives_as_much_as_a_lamp_behind_it(void **state)
     }
 }
 
-/* The sun, of half angle 0.2665 degrees, in a mirror of 0.8: found by chance it would
- * take a ray of a hundred thousand. */
+/* The sun, with a half angle of 0.2665 degrees, in a mirror of 0.8: only one random ray
+ * in a hundred thousand would find it. */
 static void the_sun_is_aimed_at_in_a_mirror(void **state)
 {
     (void)state;
@@ -89,7 +90,8 @@ static void the_sun_is_aimed_at_in_a_mirror(void **state)
     pp_light_scene_destroy(made);
 }
 
-/* Sun and sky in a mirror, itself seen in another one: 0.9 times 0.8 of them. */
+/* Sun and sky in a mirror that is seen in another mirror: 0.9 times 0.8 of their
+ * light. */
 static void the_sun_shows_in_mirrors(void **state)
 {
     (void)state;
@@ -109,7 +111,8 @@ static void the_sun_shows_in_mirrors(void **state)
                  up, PP_PI / 2.0);
     struct pp_light_scene *made = pp_test_built(&scene);
     struct pp_vec3 eye = {0.3, 0.2, 1.5};
-    /* Mirrored in the floor and in the wall the sun's direction has both turned. */
+    /* Mirrored in the floor and in the wall, the direction of the sun is reversed in
+     * both coordinates. */
     struct pp_vec3 to = {-sun.x, sun.y, -sun.z};
     struct pp_test_mean mean =
         pp_test_radiance(made, NULL, pp_radiance_state_defaults(), eye, to, 4);
@@ -120,8 +123,8 @@ static void the_sun_shows_in_mirrors(void **state)
     pp_light_scene_destroy(made);
 }
 
-/* A glossy floor between a pane of glass and a shiny wall, which mirrors and scatters:
- * by chance and sampled directly, no light is counted twice and none is lost. */
+/* A glossy floor between a pane of glass and a shiny wall that reflects and scatters:
+ * with random paths and with direct sampling, no light is counted twice or lost. */
 static void mirrors_show_the_same_lamp_aimed_at_and_found(void **state)
 {
     (void)state;
@@ -155,8 +158,8 @@ static void mirrors_show_the_same_lamp_aimed_at_and_found(void **state)
     pp_light_scene_destroy(made);
 }
 
-/* Paths left to chance are reported: three reflections of two mirrors, one of a ball, a
- * small glow. */
+/* Light left to random paths is reported: three reflections in two mirrors, one in a
+ * ball, a small luminous surface. */
 static void what_mirrors_may_hide_is_known(void **state)
 {
     (void)state;
@@ -168,7 +171,7 @@ static void what_mirrors_may_hide_is_known(void **state)
     assert_relative(bound_at(corner, point, false, 10).g, 0.8 * 0.8 * 0.8 * solid,
                     1e-9);
     assert_relative(bound_at(corner, point, false, 1000000).g, PP_PI / 1e6, 1e-9);
-    /* The lamp itself, where it is not sampled directly. */
+    /* The lamp itself, if it is not sampled directly. */
     assert_relative(bound_at(corner, point, true, 10).g, solid, 1e-9);
     pp_light_scene_destroy(corner);
 

@@ -1,5 +1,5 @@
-/* test_radiance_rough.c - physically rough surfaces in traced scenes: paths find the
- * light that quadrature finds, whichever way it is sampled. */
+/* test_radiance_rough.c - physically rough surfaces in simulated scenes: paths find the
+ * same light as quadrature, with any kind of sampling. */
 #include "tests/lib/light_scenes.h"
 #include "tests/lib/sampled_light.h"
 #include "tests/lib/sized.h"
@@ -40,7 +40,7 @@ static struct pp_vec3 towards(double tilt_deg, double azimuth_deg)
     return pp_vec(sin(t) * cos(a), sin(t) * sin(a), cos(t));
 }
 
-/* Radiance of the sheet in its middle, as seen from that direction. */
+/* Radiance of the middle of the sheet, seen from this direction. */
 static struct pp_test_mean seen(const struct rough_scene *made, double tilt_deg,
                                 bool sources, uint32_t paths)
 {
@@ -51,8 +51,8 @@ static struct pp_test_mean seen(const struct rough_scene *made, double tilt_deg,
                             paths);
 }
 
-/* Under a uniform sky the sheet has its albedo, in each channel: of spike and lobe, of
- * spike alone, of the lobe alone; to the 0.6 % of the tables. */
+/* Under a uniform sky the sheet has its albedo in each channel: with spike and lobe,
+ * with the spike alone, with the lobe alone; to the 0.6 % of the tables. */
 static void under_a_uniform_sky_a_sheet_has_its_albedo(void **state)
 {
     (void)state;
@@ -75,8 +75,8 @@ static void under_a_uniform_sky_a_sheet_has_its_albedo(void **state)
     }
 }
 
-/* Light of a round source by quadrature over its cone, and of the spike where the
- * mirror direction is in it. */
+/* Light of a round source by quadrature over its cone, including the spike if the
+ * mirror direction is in the cone. */
 static double cone_light(const struct rough_scene *made, double tilt_deg,
                          double sun_tilt_deg, double half_angle_rad)
 {
@@ -98,8 +98,8 @@ static double cone_light(const struct rough_scene *made, double tilt_deg,
     return sum;
 }
 
-/* A source of 5 degrees' half angle, in and beside the mirror direction: sampled as a
- * source and by the lobe, or found by the lobe and the spike alone. */
+/* A source with a half angle of 5 degrees, in and beside the mirror direction: sampled
+ * as a source and by the lobe, or by the lobe and the spike alone. */
 static void a_sheet_shows_a_source_as_quadrature_does(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_radiance_sources.c - light of skies, suns and lamps of every shape against
- * its closed form, aimed at and found. */
+/* test_radiance_sources.c - light of skies, suns and lamps of every shape compared with
+ * its closed form, sampled directly and found by random paths. */
 #include "tests/lib/light_scenes.h"
 #include "tests/lib/sampled_light.h"
 
@@ -32,18 +32,19 @@ static struct pp_test_mean under(const struct pp_pattern *pattern,
     return mean;
 }
 
-/* The closed forms that every lesson begins with: pi, and 7 pi/9. The tolerance is what
- * is asked for, 0.05 %; there are 32768 rays. */
+/* Closed forms: pi, and 7 pi/9. The tolerance is the target error, 0.05 %, with 32768
+ * rays. */
 static void unit_skies_light_a_horizontal_plane_by_pi_and_seven_ninths_of_it(
     void **state)
 {
     (void)state;
     assert_relative(under(NULL, up).value.g, 3.141593, 5e-4);
-    /* Lz / Eh of the overcast sky is 9/(7 pi): this factor makes Lz 1. */
+    /* Lz / Eh of the overcast sky is 9/(7 pi): with this factor Lz is 1. */
     struct pp_pattern overcast = {
         .kind = PP_PATTERN_SKY, .factor = 7.0 * PP_PI / 9.0, .sky = pp_sky_overcast()};
     assert_relative(under(&overcast, up).value.g, 2.443461, 5e-4);
-    /* A vertical plane gets half a uniform sky, and 0.396177 of the overcast one. */
+    /* A vertical plane receives half of a uniform sky, and 0.396177 of the overcast
+     * sky. */
     struct pp_vec3 aside = {0.6, -0.8, 0.0};
     assert_lit(under(NULL, aside), PP_PI / 2.0, 2e-3);
     assert_lit(under(&overcast, aside), 0.396177 * 7.0 * PP_PI / 9.0, 2e-3);
@@ -69,8 +70,8 @@ static void of_two_domes_the_smaller_one_is_seen(void **state)
 
 /* ---- square lamps ---- */
 
-/* E = pi L F whether it is sampled directly or found; sampled directly with a hundredth
- * of the rays the error is smaller still. */
+/* E = pi L F, sampled directly or found by random paths. Direct sampling with a
+ * hundredth of the rays has a smaller error. */
 static void a_square_lamp_gives_its_form_factor_as_light_and_as_glow(void **state)
 {
     (void)state;
@@ -92,7 +93,8 @@ static void a_square_lamp_gives_its_form_factor_as_light_and_as_glow(void **stat
     assert_relative(sampled.value.r, 1.5 * sampled.value.g, 1e-12);
     assert_true(sampled.error < found.error);
     assert_true(sampled.rays * 100 < found.rays);
-    /* Switched off, a light is found like a glow: the same paths, the same numbers. */
+    /* With direct sampling switched off, a light is treated like a glow: the same
+     * paths, the same numbers. */
     one.sources = false;
     struct pp_test_mean off =
         pp_test_irradiance(light, NULL, NULL, one, point, up, 4096);
@@ -121,9 +123,9 @@ static void the_back_of_a_lamp_is_dark(void **state)
     pp_light_scene_destroy(scene);
 }
 
-/* A sheet that is a lamp in front and a black one behind, under a gloss that looks at
- * its back: nothing is sampled directly there, and what would be behind the list of
- * emitters is not looked for (a read out of bounds, which sanitizers see). */
+/* A sheet with a lamp in front and a black back, below a glossy surface that faces the
+ * back: nothing is sampled directly, and the list of emitters is not read beyond its
+ * end (which sanitizers would detect). */
 static void a_lamp_that_is_black_behind_is_one_emitter(void **state)
 {
     (void)state;
@@ -143,14 +145,14 @@ static void a_lamp_that_is_black_behind_is_one_emitter(void **state)
         pp_test_irradiance(made, NULL, NULL, pp_radiance_state_defaults(), o, up, 64)
             .value.g,
         0.0, 0.0);
-    /* The front's form factor, from 1 m. */
+    /* Form factor of the front, from 1 m. */
     assert_lit(pp_test_irradiance(made, NULL, NULL, pp_radiance_state_defaults(),
                                   pp_vec(0.0, 0.0, -2.0), up, 64),
                PP_PI * pp_test_square_factor(1.0, 1.0), 0.01);
     pp_light_scene_destroy(made);
 }
 
-/* Radiance's illum: what it lights is lit, but looked at there is nothing. */
+/* Radiance's illum: it lights other surfaces but is invisible. */
 static void an_unseen_lamp_lights_but_does_not_show(void **state)
 {
     (void)state;
@@ -171,8 +173,8 @@ static void an_unseen_lamp_lights_but_does_not_show(void **state)
     pp_light_scene_destroy(scene);
 }
 
-/* One of a hundred lamps is chosen at a time beyond the first surface: the sum is that of
- * one lamp as large as all of them. */
+/* Beyond the first surface one of a hundred lamps is chosen at random: the sum is that
+ * of one lamp of their total size. */
 static void many_lamps_give_as_much_as_one_of_their_size(void **state)
 {
     (void)state;
@@ -199,7 +201,7 @@ static void many_lamps_give_as_much_as_one_of_their_size(void **state)
         seen[many] = mean.value.g;
         pp_light_scene_destroy(made);
     }
-    /* 4 of each one's standard error of at most 0.3 %. */
+    /* Four standard errors, each of at most 0.3 %. */
     assert_relative(seen[1], seen[0], 0.017);
 }
 
@@ -229,7 +231,8 @@ static struct pp_test_mean lit_by(struct pp_shape lamp, struct pp_vec3 normal,
     return mean;
 }
 
-/* A ball all above the horizon: pi (r/d)^2 cos, as if all came from its middle. */
+/* A ball entirely above the horizon: pi (r/d)^2 cos, as if all light came from its
+ * centre. */
 static void a_ball_shines_as_from_its_middle(void **state)
 {
     (void)state;
@@ -241,17 +244,17 @@ static void a_ball_shines_as_from_its_middle(void **state)
         * pp_vec_dot(normal, pp_vec_scale(ball.is.sphere.centre, 1.0 / 1.3));
     assert_lit(lit_by(ball, normal, true, 64), expected, 1e-3);
     assert_lit(lit_by(ball, normal, false, 2048), expected, 5e-3);
-    /* Far and small it is sampled without loss of digits. */
+    /* A small distant ball is sampled without loss of digits. */
     ball.is.sphere.centre = pp_vec(0.0, 0.0, 1e6);
     assert_relative(lit_by(ball, up, true, 4).value.g, PP_PI * 0.25e-12, 1e-6);
-    /* From within an inward one everything is lit. */
+    /* Inside an inward-facing sphere all directions are lit. */
     ball = (struct pp_shape){.kind = PP_SHAPE_SPHERE,
                              .inward = true,
                              .is.sphere = {pp_vec(0.4, 0.3, 1.2), 2.0}};
     assert_lit(lit_by(ball, normal, true, 256), PP_PI, 5e-3);
 }
 
-/* Over the middle of a disc: pi r^2/(r^2 + h^2); a ring is one disc less another. */
+/* Above the middle of a disc: pi r^2/(r^2 + h^2); a ring is one disc less another. */
 static void a_ring_shines_as_one_disc_less_another(void **state)
 {
     (void)state;
@@ -266,7 +269,7 @@ static void a_ring_shines_as_one_disc_less_another(void **state)
     assert_lit(lit_by(ring, up, false, 1024), expected, 5e-3);
 }
 
-/* No closed form at hand: sampled directly and found, two routes to one number. */
+/* No closed form: direct sampling and random paths must agree. */
 static void a_cone_shines_the_same_aimed_at_and_found(void **state)
 {
     (void)state;
@@ -288,7 +291,7 @@ static void the_sun_gives_its_solid_angle(void **state)
     struct pp_vec3 sun = pp_vec_unit(pp_vec(0.5, -0.4, 0.6));
     struct pp_shape shape = {.kind = PP_SHAPE_DISTANT, .is.distant = {sun, half}};
     double expected = PP_PI * sin(half) * sin(half) * sun.z;
-    /* Over its disc the cosine varies by its angle, 0.005: with 128 directions 1e-4. */
+    /* Over its disc the cosine varies by its angle, 0.005: 1e-4 with 128 directions. */
     assert_relative(lit_by(shape, up, true, 4).value.g, expected, 1e-4);
     shape.is.distant.half_angle_rad = 25.0 * PP_RAD;
     expected = PP_PI * sin(25.0 * PP_RAD) * sin(25.0 * PP_RAD) * sun.z;

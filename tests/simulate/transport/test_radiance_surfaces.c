@@ -1,5 +1,5 @@
-/* test_radiance_surfaces.c - what surfaces send on and let through: no light is
- * gained or lost, and after how many of them. */
+/* test_radiance_surfaces.c - reflection and transmission by surfaces: energy is
+ * conserved, also with a limited number of reflections. */
 #include "tests/lib/light_scenes.h"
 #include "tests/lib/sampled_light.h"
 #include "tests/lib/sized.h"
@@ -8,8 +8,8 @@ static const struct pp_vec3 up = {0.0, 0.0, 1.0};
 
 /* ---- furnaces ---- */
 
-/* Inside a closed box that gives off 1 - rho and sends on rho of what it gets, by
- * whatever lobes, the radiance is 1 everywhere. */
+/* Inside a closed box that emits 1 - rho and reflects rho, with any lobes, the radiance
+ * is 1 everywhere. */
 static struct pp_test_mean furnace(struct pp_material material, double reflectance,
                                    struct pp_vec3 to)
 {
@@ -29,7 +29,7 @@ static struct pp_test_mean furnace(struct pp_material material, double reflectan
 static void a_closed_white_box_neither_gains_nor_loses_light(void **state)
 {
     (void)state;
-    const double noise = PP_SIZED(1.0, 1.5, 3.0); /* as 16 paths have, for 64 */
+    const double noise = PP_SIZED(1.0, 1.5, 3.0); /* as with 16 paths, of 64 */
     struct pp_vec3 to = {0.3, 0.5, -0.4};
     assert_lit(furnace(pp_material_diffuse(pp_rgb_grey(0.7)), 0.7, to), 1.0,
                noise * 5e-3);
@@ -37,10 +37,10 @@ static void a_closed_white_box_neither_gains_nor_loses_light(void **state)
                noise * 5e-3);
 }
 
-/* However rough, and seen at whatever angle: down on the floor, at a slant, and along
- * it. An albedo of rho (1 + e) makes it 1 + e rho/(1 - rho): with rho of 0.8 the 0.3 %
- * of gloss.h count four times, less where part of the light is diffuse. Rougher than
- * 0.5 weights vary much, and a path of many reflections is noisy: 0.5 there. */
+/* With any roughness and at any angle: facing the floor, oblique and grazing. An albedo
+ * of rho (1 + e) gives 1 + e rho/(1 - rho): for rho of 0.8 the 0.3 % of gloss.h count
+ * four times, less if part of the light is diffuse. With a roughness above 0.5 weights
+ * vary, and paths with many reflections are noisy: 0.5. */
 static void a_closed_glossy_box_neither_gains_nor_loses_light(void **state)
 {
     (void)state;
@@ -65,9 +65,9 @@ static void a_closed_glossy_box_neither_gains_nor_loses_light(void **state)
 
 /* ---- gloss ---- */
 
-/* A brushed sheet under a square lamp, seen at a slant: whether its gloss takes the
- * lamp by aiming (a small one) or by its own directions (a large one), it is the same
- * light. */
+/* A brushed sheet below a square lamp, seen obliquely. The light is the same if the
+ * lamp is sampled directly (a small lamp) or found by directions of the gloss (a large
+ * lamp). */
 static void a_gloss_shows_the_same_lamp_aimed_at_and_found(void **state)
 {
     (void)state;
@@ -103,9 +103,9 @@ static void a_gloss_shows_the_same_lamp_aimed_at_and_found(void **state)
     }
 }
 
-/* A matt ceiling over polished metal, under a sun of 8 degrees' half angle or a lamp:
- * what the metal throws up is drawn as its gloss is shaped, found by the ceiling's own
- * rays, or both, weighed; it is the same light, with less than half the error. */
+/* A matt ceiling above polished metal, under a sun with a half angle of 8 degrees, or a
+ * lamp. Light reflected by the metal is sampled by its gloss, found by rays of the
+ * ceiling, or both, weighted: the light is the same, with less than half the error. */
 static void metal_throws_the_same_light_sampled_and_found(void **state)
 {
     (void)state;
@@ -138,7 +138,8 @@ static void metal_throws_the_same_light_sampled_and_found(void **state)
                     4.0 * hypot(sampled.error, found.error));
         assert_near(sampled.value.b / sampled.value.g, sun ? 0.375 : 0.625, 1e-9);
         assert_true(sampled.error < PP_SIZED(0.02, 0.02, 0.05) * sampled.value.g);
-        /* 32 times the paths: six times less error if all were alike. */
+        /* 32 times the paths: the error would be six times smaller if all paths were
+         * equal. */
         assert_true(sampled.error < 0.5 * sqrt(32.0) * found.error);
         pp_light_scene_destroy(made);
     }
@@ -146,7 +147,8 @@ static void metal_throws_the_same_light_sampled_and_found(void **state)
 
 /* ---- what light passes ---- */
 
-/* Looked at through a pane, and lit through it: both the glass's transmittance. */
+/* Seen through a pane, and lit through it: both are multiplied by the transmittance of
+ * the glass. */
 static void a_lamp_shines_through_glass(void **state)
 {
     (void)state;
@@ -160,7 +162,7 @@ static void a_lamp_shines_through_glass(void **state)
         &scene, pp_test_material(&scene, pp_material_light(pp_rgb_grey(1.0))),
         pp_vec(-a, -a, h), pp_vec(0.0, 2.0 * a, 0.0), pp_vec(2.0 * a, 0.0, 0.0));
     struct pp_light_scene *made = pp_test_built(&scene);
-    /* The lamp is 0.01 wide, so all incidence is normal to 1e-4 of cos. */
+    /* The lamp is 0.01 wide, so incidence is normal to 1e-4 of the cosine. */
     struct pp_test_mean mean = pp_test_irradiance(
         made, NULL, NULL, pp_radiance_state_defaults(), pp_vec(0.0, 0.0, 0.0), up, 16);
     double expected = 4.0 * a * a / (h * h);
@@ -175,8 +177,9 @@ static void a_lamp_shines_through_glass(void **state)
     pp_light_scene_destroy(made);
 }
 
-/* A box of translucent sheets under a white dome all round, giving off what they
- * neither send back nor let through: in equilibrium all is 1, inside and out. */
+/* A box of translucent sheets in a white dome. The sheets emit the share that they
+ * neither reflect nor transmit: in equilibrium the radiance is 1, inside and
+ * outside. */
 static void assert_in_equilibrium(struct pp_material trans)
 {
     struct pp_scene_description scene;
@@ -205,8 +208,8 @@ static void translucent_sheets_neither_gain_nor_lose_light(void **state)
     assert_in_equilibrium(pp_material_trans(pp_rgb_grey(0.9), 0.05, 0.25, 0.7, 0.8));
 }
 
-/* Panes that absorb nothing can't be told from a white dome all round, at whatever
- * angle: what they don't let through they mirror. */
+/* Panes that absorb nothing cannot be distinguished from a white dome at any angle:
+ * they reflect the light that they do not transmit. */
 static void a_box_of_lossless_glass_is_not_to_be_seen(void **state)
 {
     (void)state;
@@ -229,7 +232,7 @@ static void a_box_of_lossless_glass_is_not_to_be_seen(void **state)
     pp_light_scene_destroy(made);
 }
 
-/* ---- bounces, and what is had from elsewhere ---- */
+/* ---- bounces, and light from other estimates ---- */
 
 /* After n reflections of 1 - rho: (1 - rho)(1 + rho + ... + rho^n) = 1 - rho^(n +
  * 1). */
@@ -249,7 +252,7 @@ static void bounces_can_be_limited(void **state)
         assert_lit(
             pp_test_radiance(made, NULL, options, from, pp_vec(0.3, 0.5, -0.4), 256),
             1.0 - pow(0.6, options.bounces + 1), 0.01);
-        /* The receiver's own hemisphere is the first of them. */
+        /* The first bounce is that of the receiver's own hemisphere. */
         assert_lit(pp_test_irradiance(made, NULL, NULL, options, from, up, 256),
                    PP_PI * (1.0 - pow(0.6, options.bounces)), 0.02);
     }
@@ -272,8 +275,8 @@ static bool two(void *store, const struct pp_light_hit *hit, struct pp_vec3 norm
     return true;
 }
 
-/* A plane under a lamp: what is sampled directly is added to what is had from
- * elsewhere. */
+/* A plane below a lamp: directly sampled light is added to the interreflected light
+ * supplied by the caller. */
 static void inter_reflection_may_be_had_from_elsewhere(void **state)
 {
     (void)state;
@@ -301,7 +304,8 @@ static void inter_reflection_may_be_had_from_elsewhere(void **state)
     assert_int_equal(asked.count, 1);
     assert_int_equal(asked.deepest, 0);
     assert_near(hit.distance_m, 2.0, 1e-6);
-    /* From below a receiver's hemisphere it is asked at the next surface: depth 1. */
+    /* Seen from a receiver's hemisphere, the estimate is used at the next surface:
+     * depth 1. */
     pp_radiance_irradiance(&path_state, pp_vec(0.3, 0.2, 2.0), pp_vec(0.0, 0.0, -1.0),
                            PP_ANYWHERE);
     assert_int_equal(asked.deepest, 1);

@@ -1,4 +1,4 @@
-/* test_room_light.c - light in rooms, against the tracer and against itself. */
+/* test_room_light.c - light in rooms, compared with the tracer and between variants. */
 #include "simulate/sampling/hash.h"
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/transport/opening_store.h"
@@ -16,9 +16,10 @@ static struct pp_light_scene *scene_of(const struct pp_world *world)
     return scene;
 }
 
-/* The file's receivers by the tracer to 0.5 % (1 % under sanitizers), and by light with or without the store:
- * within three of their common standard errors. Chance would break that once in 370
- * receivers; seeds are fixed. */
+/* The receivers of the file by the tracer with an error of 0.5 % (1 % under
+ * sanitizers), and by transport with and without the store: within three of their
+ * common standard errors. One receiver in 370 would exceed this at random; seeds are
+ * fixed. */
 static void assert_as_traced(const char *xml, double slack)
 {
     struct pp_outside_light light;
@@ -65,7 +66,7 @@ static void a_deep_room_has_the_tracers_daylight_factors(void **state)
     assert_as_traced(DEEP "<line from='1.5 0.5' to='1.5 8.5' points='3'/></room>", 0.0);
 }
 
-/* A block close by: the store's patches and bins may cost 0.3 %. */
+/* A block nearby: patches and bins of the store may cause an error of 0.3 %. */
 static void so_has_one_with_things_close_outside(void **state)
 {
     (void)state;
@@ -76,9 +77,9 @@ static void so_has_one_with_things_close_outside(void **state)
                      0.003);
 }
 
-/* A bright wall half a metre before the window: what it throws back into the room comes
- * out again, and so on. Windows are sampled directly on the first way out only; the
- * store's patches may cost 1 % of the light right beside the window. */
+/* A bright wall half a metre in front of the window: light goes back and forth between
+ * room and wall. Windows are sampled directly only on the first way out; the patches of
+ * the store may cause an error of 1 % just beside the window. */
 static void so_has_one_with_a_wall_right_before_its_window(void **state)
 {
     (void)state;
@@ -111,7 +112,8 @@ static void so_has_one_with_all_that_there_is(void **state)
         0.003);
 }
 
-/* The tracer's own split: what the point sees of sky and of outside through glass. */
+/* The separation by the tracer: sky and objects outside, as seen from the point through
+ * glass. */
 static void sky_and_outside_are_told_apart(void **state)
 {
     (void)state;
@@ -139,7 +141,7 @@ static void sky_and_outside_are_told_apart(void **state)
         outside += e.outside.g / PATHS;
         assert_true(pp_rgb_is_black(e.rest) && pp_rgb_is_black(e.sources));
     }
-    /* 512 x 64 directions: to 0.2 %. */
+    /* 512 x 64 directions: accurate to 0.2 %. */
     assert_relative(sky, traced[0][PP_SC].value, 0.003);
     assert_relative(outside, traced[0][PP_ERC].value, 0.003);
     assert_int_equal(path_state.leaks, 0);
@@ -150,7 +152,8 @@ static void sky_and_outside_are_told_apart(void **state)
     pp_world_destroy(world);
 }
 
-/* Found by chance, light from the window is the same, and costs more. */
+/* If windows are only found by random paths, the light is the same but needs more
+ * rays. */
 static void windows_aimed_at_save_time_not_light(void **state)
 {
     (void)state;
@@ -167,7 +170,7 @@ static void windows_aimed_at_save_time_not_light(void **state)
                                                    back, up, PP_SIZED(1024, 1024, 256));
     assert_near(sampled.value.g, found.value.g,
                 4.0 * hypot(sampled.error, found.error));
-    /* Rays to the same error go with its square. */
+    /* The number of rays for the same error is proportional to the squared error. */
     double rays = (double)sampled.rays * sampled.error * sampled.error;
     assert_true((double)found.rays * found.error * found.error > 2.0 * rays);
     pp_environment_destroy(environment);
@@ -175,8 +178,8 @@ static void windows_aimed_at_save_time_not_light(void **state)
     pp_world_destroy(world);
 }
 
-/* Rooms with a mirror and metal that is narrower than the window or wider, a window that
- * is no rectangle, and a house outside. */
+/* Rooms with a mirror and metal narrower or wider than the window, a window that is not
+ * a rectangle, and a house outside. */
 static const char *const polished[] = {
     "<finishes floor='polished-aluminium' walls='0.5' ceiling='0.7'/>"
     "<window wall='south' left='0.2' sill='0.8' width='2.6' height='1.5'/>",
@@ -191,9 +194,9 @@ static const char *const polished[] = {
     "<opening><vertex x='0.8' y='0' z='2.2'/><vertex x='1.9' y='0' z='2.3'/>"
     "<vertex x='2.6' y='0' z='1.1'/><vertex x='0.3' y='0' z='0.9'/></opening>"};
 
-/* Polished planes send on the same light of a window, whether its images in them are
- * aimed at or found by the walls' own rays; with less than half the error, at equal
- * numbers of paths. */
+/* Polished planes reflect the same light of a window, whether its mirror images are
+ * sampled directly or found by rays from the walls; with less than half the error for
+ * the same number of paths. */
 static void polished_planes_send_on_the_same_light_aimed_at_and_found(void **state)
 {
     (void)state;
@@ -232,8 +235,9 @@ static void polished_planes_send_on_the_same_light_aimed_at_and_found(void **sta
     }
 }
 
-/* Part of a wall before one window is lit through the room and its other window. Windows
- * aren't sampled directly from there, so what it finds through both of them counts. */
+/* Part of a wall in front of one window receives light through the room and its other
+ * window. From this wall windows are not sampled directly, so light found through both
+ * windows counts. */
 static void light_through_two_windows_falls_on_what_stands_outside(void **state)
 {
     (void)state;
@@ -266,9 +270,9 @@ static void light_through_two_windows_falls_on_what_stands_outside(void **state)
     pp_world_destroy(world);
 }
 
-/* A room in equilibrium with a white sky and ground, whose surfaces give off what they
- * don't reflect, whatever their gloss, the window being sampled directly or found: all
- * is 1. */
+/* A room in equilibrium with a white sky and ground, whose surfaces emit the share that
+ * they do not reflect, with any gloss, and windows sampled directly or found by random
+ * paths: all values are 1. */
 static void a_room_in_equilibrium_shows_one_everywhere(void **state)
 {
     (void)state;
@@ -283,7 +287,8 @@ static void a_room_in_equilibrium_shows_one_everywhere(void **state)
                 "glazing='none' reveal='0.3'/></room>");
     for (int i = 0; i < world->surface_count; i++) {
         world->surfaces[i].exitance = 1.0 - world->surfaces[i].front;
-        world->surfaces[i].back = world->surfaces[i].front; /* the ground sees it */
+        world->surfaces[i].back =
+            world->surfaces[i].front; /* as seen from the ground */
     }
     struct pp_light_scene *scene = scene_of(world);
     struct pp_environment *environment = pp_test_light_on(scene, &light);
@@ -300,7 +305,7 @@ static void a_room_in_equilibrium_shows_one_everywhere(void **state)
     pp_world_destroy(world);
 }
 
-/* Not one ray slips out by the edges, though all rays go to them. */
+/* No ray leaves through the edges, although all rays are aimed at them. */
 static void no_light_leaks_in_by_the_edges(void **state)
 {
     (void)state;
@@ -331,8 +336,8 @@ static void no_light_leaks_in_by_the_edges(void **state)
     pp_world_destroy(world);
 }
 
-/* Nor where a picture's rays meet an edge to the bit: the light goes on from there,
- * into the room.*/
+/* A ray of a picture that hits an edge exactly: the light continues from there into the
+ * room. */
 static void light_goes_on_from_the_edges(void **state)
 {
     (void)state;
@@ -360,7 +365,7 @@ static void light_goes_on_from_the_edges(void **state)
     pp_world_destroy(world);
 }
 
-/* Sky and outside on a level plane in the room, straight through the windows. */
+/* Direct light of sky and objects outside on a horizontal plane in the room. */
 static struct pp_irradiance straight_in(const char *xml, bool stored,
                                         struct pp_vec3 point)
 {
@@ -395,9 +400,9 @@ static struct pp_irradiance straight_in(const char *xml, bool stored,
     return sum;
 }
 
-/* A skyline 1 m before a diffusing pane leaves little sky to its lower half: averaged
- * over the pane it gave half as much again near it, a quarter less far off. What exact
- * integration has; 1024 x 64 directions are good to 1 %. */
+/* A skyline 1 m in front of a diffusing pane leaves little sky for its lower half. An
+ * average over the pane gave half as much again near it, and a quarter less far away.
+ * Compared with exact integration; 1024 x 64 directions are accurate to 1 %. */
 static void a_diffusing_pane_is_lit_from_point_to_point(void **state)
 {
     (void)state;
@@ -413,8 +418,9 @@ static void a_diffusing_pane_is_lit_from_point_to_point(void **state)
     }
 }
 
-/* A bright shelf that touches the window before a dark wall: what is nearer than the
- * patches can tell apart is not stored. Stored, it gave 7.6 % too much here. */
+/* A bright shelf that touches the window, in front of a dark wall: objects nearer than
+ * the patches can resolve are not stored. With the store the result was 7.6 % too
+ * high. */
 static void things_at_the_window_are_not_stored(void **state)
 {
     (void)state;
@@ -430,11 +436,11 @@ static void things_at_the_window_are_not_stored(void **state)
     struct pp_vec3 point = {1.5, 0.15, 0.85};
     double stored = straight_in(xml, true, point).outside.g;
     double followed = straight_in(xml, false, point).outside.g;
-    /* 1024 x 64 directions each: to 1 %. */
+    /* 1024 x 64 directions each: accurate to 1 %. */
     assert_relative(stored, followed, 0.025);
 }
 
-/* The store is worked out the same by any number of threads. */
+/* The store is identical for any number of threads. */
 static void the_store_does_not_depend_on_threads(void **state)
 {
     (void)state;

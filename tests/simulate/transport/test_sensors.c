@@ -1,4 +1,4 @@
-/* test_sensors.c - a sensor's value and error are its own, wherever it stands in the
+/* test_sensors.c - the value and error of a sensor do not depend on its position in the
  * list. */
 #include "simulate/transport/sensors.h"
 
@@ -7,7 +7,7 @@
 #include "simulate/scene/light_scene_of_description.h"
 #include "tests/lib/near.h"
 
-/* A grey floor under two walls and a sky that is even. */
+/* A grey floor below two walls and a uniform sky. */
 static struct pp_light_scene *courtyard(void)
 {
     static const struct pp_vec3 corners[3][4] = {

@@ -1,14 +1,14 @@
-/* test_window_chains.c - rooms whose rays pass several windows in a row: each light is
- * counted once, by whichever window it is aimed at. */
+/* test_window_chains.c - rooms whose rays pass several windows in a row: light is
+ * counted once, by the window at which it is aimed. */
 #include "simulate/scene/light_scene_of_world.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/sampled_light.h"
 #include "tests/lib/sized.h"
 #include "tests/lib/traced.h"
 
-/* A room round three sides of a court, which windows look into from two wings; a third
- * window lies in the outer wall behind the second, so that from the west wing it is seen
- * through both. */
+/* A room around three sides of a court, with windows to the court from two wings. A
+ * third window is in the outer wall behind the second, so that from the west wing it is
+ * visible through both. */
 static const char court[] =
     "<room version='1'><plan height='2.6'>"
     "<vertex x='0' y='0'/><vertex x='3' y='0'/><vertex x='3' y='4'/>"

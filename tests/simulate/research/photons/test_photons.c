@@ -1,4 +1,4 @@
-/* test_photons.c - light followed forwards, against what is known on paper. */
+/* test_photons.c - light followed forwards, compared with known values. */
 #include "model/light/finishes.h"
 #include "tests/lib/equilibrium.h"
 #include "tests/lib/photons_of.h"
@@ -59,10 +59,10 @@ static void the_open_sky_is_all_there_is_without_a_room(void **state)
     assert_traced(readings[PP_ERC], 0.15, 2e-3);
 }
 
-/* Every surface gives off its own 1 and reflects rho of what it gets:
- * 1 + rho + rho^2 + ... Photons that start or land a millimetre from a receiver would
- * bring it light without bound: there, too, errors are a few per cent. In the corner
- * connections keep 2e-6 of the light, which one photon in a million brings. */
+/* Every surface emits 1 and reflects rho of the light it receives: 1 + rho + rho^2 +
+ * ... Photons that start or land a millimetre from a receiver would contribute without
+ * limit; the errors remain a few per cent there, too. In the corner connections keep
+ * 2e-6 of the light, which one photon in a million contributes. */
 static void a_furnace_glows_with_one_over_one_less_rho(void **state)
 {
     (void)state;
@@ -97,11 +97,12 @@ static void a_furnace_glows_with_one_over_one_less_rho(void **state)
     pp_world_destroy(world);
 }
 
-/* Between walls that mirror all, floor and ceiling are plates without end:
+/* Between perfect mirrors as walls, floor and ceiling are infinite plates:
  *
- *     B_f = M_f + rho_f B_c,  B_c = M_c + rho_c B_f
+ *    B_f = M_f + rho_f B_c,  B_c = M_c + rho_c B_f
  *
- * M what they give off. A receiver that faces one has its B. */
+ * M is the exitance. A receiver that faces one of them has its B.
+ */
 static void two_plates_light_each_other_by_a_geometric_series(void **state)
 {
     (void)state;
@@ -145,7 +146,7 @@ static void two_plates_light_each_other_by_a_geometric_series(void **state)
 
 /* ---- thermal equilibrium ---- */
 
-/* Every receiver of a room in equilibrium (equilibrium.h) gets 1. */
+/* Every receiver of a room in equilibrium (equilibrium.h) has the value 1. */
 static void assert_equilibrium(const char *xml, bool lossless_glass)
 {
     struct pp_outside_light light;
@@ -187,7 +188,7 @@ static void equilibrium_behind_a_diffusing_pane(void **state)
     assert_equilibrium(PP_TEST_DIFFUSING_ROOM, false);
 }
 
-/* ---- straight light ---- */
+/* ---- direct light ---- */
 
 static void openings_show_the_sky_of_quadrature(void **state)
 {
@@ -208,8 +209,8 @@ static void openings_show_the_sky_of_quadrature(void **state)
     }
 }
 
-/* A receiver a few millimetres from the middle of an unglazed window sees half the
- * sky's vertical illuminance: the window as good as fills its view. */
+/* A receiver a few millimetres from the middle of an unglazed window receives half of
+ * the sky's vertical illuminance, since the window nearly fills its view. */
 static void at_the_window_half_the_view_is_sky(void **state)
 {
     (void)state;
@@ -227,10 +228,10 @@ static void at_the_window_half_the_view_is_sky(void **state)
     pp_world_destroy(world);
 }
 
-/* Across a court, by three windows in a row, one sees the sky once: from the first one,
- * through the other wing, or from the last one, through the court, but not twice. By the
- * midpoint rule over the last window, whose outline is all that limits the view; all else
- * is black. */
+/* Three windows in a row across a court show the same sky. Its light counts once, from
+ * the first window through the other wing, or from the last one through the court.
+ * Midpoint rule over the last window, whose outline limits the view; all surfaces are
+ * black. */
 static void through_three_windows_one_sees_the_sky_once(void **state)
 {
     (void)state;
@@ -269,8 +270,8 @@ static void through_three_windows_one_sees_the_sky_once(void **state)
 
 /* ---- sensors of finite size ---- */
 
-/* A disc's count is the mean over the disc, here by 4 x 16 points on rings of equal
- * area. */
+/* The result of a disc is the mean over the disc, compared with 4 x 16 points on rings
+ * of equal area. */
 static void a_disc_counts_the_mean_over_it(void **state)
 {
     (void)state;
@@ -332,25 +333,25 @@ static void a_sensor_of_negative_size_is_refused(void **state)
     pp_light_scene_destroy(scene);
 }
 
-/* ---- against the path tracer ---- */
+/* ---- compared with the path tracer ---- */
 
-/* Rooms with one part each that the two may have different views of. */
+/* Each room contains one feature that the two engines could treat differently. */
 static void photons_and_paths_agree(void **state)
 {
     (void)state;
     static const char *const rooms[] = {
-        /* a light well before the window, with a bright block */
+        /* a light well in front of the window, with a bright block */
         PP_TEST_BOX
         "<window wall='south' left='0.3' sill='0.7' width='2.2' height='1.5'/>"
         "<block x='-1' y='-3.2' width='6' depth='1' height='7' reflectance='0.7'/>",
-        /* skylines near and far, a frame and dirt */
+        /* near and distant skylines, a frame and dirt */
         PP_TEST_BOX
         "<window wall='south' left='0.3' sill='0.7' width='2.2' height='1.5' "
         "frame-factor='0.7' maintenance='0.8'/>"
         "<window wall='west' left='0.4' sill='0.2' width='1.2' height='2.1'/>"
         "<skyline wall='south' angle='32' distance='7'/>"
         "<skyline wall='west' angle='25'/>",
-        /* a high shelf, and the sky's bright part before the window */
+        /* a high shelf, and the bright part of the sky in front of the window */
         PP_TEST_BOX
         "<sky type='iso-12' sun-altitude='35' sun-bearing='160'/>"
         "<window wall='south' left='0.3' sill='0.7' width='2.2' height='1.5'/>"
@@ -387,11 +388,11 @@ static void photons_and_paths_agree(void **state)
         free(traced);
         pp_world_destroy(world);
     }
-    /* The mean of 45 squares is 1 +- 0.21; some are of values that are 0. */
+    /* The mean of 45 squares is 1 +- 0.21; some values are zero. */
     assert_true(squares / count < 1.0 + 4.0 * sqrt(2.0 / count));
 }
 
-/* ---- the same bytes ---- */
+/* ---- identical results ---- */
 
 static void threads_do_not_change_a_bit(void **state)
 {
@@ -418,7 +419,7 @@ static void threads_do_not_change_a_bit(void **state)
     pp_world_destroy(world);
 }
 
-/* Photons are the same for all, whoever they are followed for. */
+/* All receivers use the same photons. */
 static void receivers_do_not_change_each_other(void **state)
 {
     (void)state;
@@ -438,8 +439,8 @@ static void receivers_do_not_change_each_other(void **state)
     pp_world_destroy(world);
 }
 
-/* Deep in a room receivers that are near each other take the same light of the same
- * photons: much of their variance is one. Sensors have photons of their own. */
+/* Deep in a room neighbouring receivers use the same photons, so much of their variance
+ * is common. Sensors have their own photons. */
 static void receivers_deep_in_a_room_go_wrong_together(void **state)
 {
     (void)state;
@@ -464,7 +465,7 @@ static void receivers_deep_in_a_room_go_wrong_together(void **state)
             assert_int_equal(pp_photons_advance(photons, 1.0, NULL), PP_OK);
         double common = pp_photons_common(photons);
         double near = pp_photons_common_near(photons);
-        assert_near(near, common, 0.01); /* a dozen are all */
+        assert_near(near, common, 0.01); /* the dozen points are all points */
         assert_true(counted ? common == 0.0 : common > 0.2 && common <= 1.0);
         pp_photons_destroy(photons);
     }

@@ -1,12 +1,12 @@
-/* test_photons_gloss.c - light by mirrors, glosses and coloured surfaces, forwards and
+/* test_photons_gloss.c - light via mirrors, glossy and coloured surfaces, forwards and
  * backwards. */
 #include "simulate/transport/sensors.h"
 #include "tests/lib/photons_of.h"
 #include "tests/lib/room_of.h"
 
-/* Photons at the room's points, in the scene with its finishes, come to what the sensors
- * of simulate/transport see, which follow paths the other way. Returns how much of it the
- * matt scene would have. */
+/* Compares photons at the room's points, with all finishes, with sensors of
+ * simulate/transport, which follow paths backwards. Returns the share of this light
+ * that the matt scene would have. */
 static double assert_agree(const char *xml)
 {
     struct pp_outside_light light;

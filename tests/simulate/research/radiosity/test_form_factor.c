@@ -1,19 +1,20 @@
-/* test_form_factor.c - Lambert's sum against textbook formulae for rectangles, and against
- * what must hold in any closed room. */
+/* test_form_factor.c - Lambert's sum compared with textbook formulae for rectangles,
+ * and with the sum of form factors in closed rooms. */
 #include "simulate/research/radiosity/form_factor.h"
 
 #include "tests/lib/dice.h"
 #include "tests/lib/near.h"
 
-/* A rectangle a x b parallel to the receiver at height c, a corner above it [HSM16]. */
+/* A rectangle a x b parallel to the receiver at distance c, with one corner above it
+ * [HSM16]. */
 static double above_corner(double a, double b, double c)
 {
     double A = a / c, B = b / c, p = sqrt(1.0 + A * A), q = sqrt(1.0 + B * B);
     return (A / p * atan(B / p) + B / q * atan(A / q)) / (2.0 * PP_PI);
 }
 
-/* An upright rectangle, b wide and a high, that begins on the receiver's plane at the
- * distance c, its lower corner straight before it. */
+/* A vertical rectangle, b wide and a high, that begins at the receiver's plane at
+ * distance c, with its lower corner directly in front of the receiver. */
 static double upright_corner(double a, double b, double c)
 {
     double X = a / b, Y = c / b, r = sqrt(X * X + Y * Y);
@@ -34,7 +35,7 @@ static void rectangles_overhead_are_as_in_the_textbook(void **state)
     assert_near(pp_form_factor(at, pp_vec_scale(up, -1.0), corners, 4), 0.0, 0.0);
 }
 
-/* Two thirds of it below the horizon count nothing. */
+/* Two thirds of it are below the horizon and do not count. */
 static void what_is_below_the_horizon_is_cut_off(void **state)
 {
     (void)state;
@@ -45,7 +46,8 @@ static void what_is_below_the_horizon_is_cut_off(void **state)
                 1e-14);
 }
 
-/* From anywhere in a box, towards anywhere, all of what is seen is its six sides. */
+/* From any point in a box, and for any orientation, the form factors of its six sides
+ * add up to 1. */
 static void the_sides_of_a_box_are_all_there_is(void **state)
 {
     (void)state;

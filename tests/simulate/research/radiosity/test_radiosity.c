@@ -1,4 +1,4 @@
-/* test_radiosity.c - radiosity, against what is known on paper: to 0.1 %. */
+/* test_radiosity.c - radiosity compared with known values, to 0.1 %. */
 #include "simulate/research/radiosity/plane_points.h"
 #include "tests/lib/radiosity_of.h"
 #include "tests/lib/random_rooms.h"
@@ -9,7 +9,8 @@ static struct pp_radiosity_options level_options(double error)
     return (struct pp_radiosity_options){.error = error, .threads = 1};
 }
 
-/* Two receivers by the first level alone, which is enough where light changes little. */
+/* Two receivers with the first level of refinement only, which suffices if light
+ * changes little. */
 static void first_level(const struct pp_world *world,
                         const struct pp_outside_light *light,
                         const struct pp_receiver receivers[2], int threads,
@@ -63,8 +64,8 @@ static void the_open_sky_is_all_there_is_without_a_room(void **state)
     free(found);
 }
 
-/* Every surface gives off its own 1 and reflects rho of what it gets:
- * 1 + rho + rho^2 + ..., wherever one is. */
+/* Every surface emits 1 and reflects rho of the light it receives: 1 + rho + rho^2 +
+ * ... at all points. */
 static void a_furnace_glows_with_one_over_one_less_rho(void **state)
 {
     (void)state;
@@ -111,9 +112,10 @@ static struct pp_world *black_walled(struct pp_outside_light *light, const char 
     return world;
 }
 
-/* Far from the edges, floor and ceiling of a wide room are plates without end:
+/* Far from the edges, floor and ceiling of a wide room are infinite plates:
  *
- *     B_f = M_f + rho_f B_c,  B_c = M_c + rho_c B_f */
+ *    B_f = M_f + rho_f B_c,  B_c = M_c + rho_c B_f
+ */
 static void two_plates_light_each_other_by_a_geometric_series(void **state)
 {
     (void)state;
@@ -138,13 +140,15 @@ static void two_plates_light_each_other_by_a_geometric_series(void **state)
 
 enum { NODES = 200 };
 
-/* Floor and ceiling of a corridor without end, w wide and h apart, between black walls:
- * light changes across it alone, and a strip dx' of the other plane brings
+/* Floor and ceiling of an infinitely long corridor, w wide and h apart, between black
+ * walls. Light only changes across the corridor; a strip dx' of the other plane
+ * contributes
  *
- *     K(x - x', h) dx',  K(x, h) = h^2 / (2 (x^2 + h^2)^(3/2)),
+ *    K(x - x', h) dx',  K(x, h) = h^2 / (2 (x^2 + h^2)^(3/2)),
  *
- * so that B_f = M + rho int K B_c, B_c = rho int K B_f: by the midpoint rule and by
- * iteration. Returns the illuminance from above at x, h - z below the ceiling. */
+ * so B_f = M + rho int K B_c, B_c = rho int K B_f, solved by the midpoint rule and by
+ * iteration. Returns the illuminance from above at x, h - z below the ceiling.
+ */
 static double corridor(double w, double h, double given, double rho, double x, double z)
 {
     double f[NODES], c[NODES] = {0.0}, step = w / NODES, sum = 0.0;
@@ -190,7 +194,9 @@ static void a_corridor_solves_its_integral_equation(void **state)
 
 /* ---- a sphere ---- */
 
-enum { DIVISIONS = 8 }; /* of an edge of the octahedron that it is blown up from */
+enum {
+    DIVISIONS = 8
+}; /* of each edge of the octahedron from which the sphere is made */
 
 static struct pp_vec3 on_sphere(const double sign[3], int i, int k)
 {
@@ -217,7 +223,7 @@ static char *write_face(char *to, const struct pp_vec3 corner[3])
     return to + sprintf(to, "</face>");
 }
 
-/* A sphere of radius 2 m about 3, 3, 3 of flat triangles. */
+/* A sphere of radius 2 m about (3, 3, 3), made of flat triangles. */
 static struct pp_world *sphere(struct pp_outside_light *light)
 {
     char *xml = malloc(8 * DIVISIONS * DIVISIONS * 320 + 1000);
@@ -242,8 +248,8 @@ static struct pp_world *sphere(struct pp_outside_light *light)
     return world;
 }
 
-/* In an integrating sphere every place gets the same of every other, wherever the light is
- * given off: of a lower half that gives off 1, E = 1/2 / (1 - rho). */
+/* In an integrating sphere all points receive the same light, wherever it is emitted:
+ * if the lower half emits 1, E = 1/2 / (1 - rho). */
 static void an_integrating_sphere_is_even(void **state)
 {
     (void)state;
@@ -268,7 +274,7 @@ static void an_integrating_sphere_is_even(void **state)
 
 /* ---- sky components ---- */
 
-/* By quadrature, a route of its own (random_rooms.h). */
+/* Compared with an independent quadrature (random_rooms.h). */
 static void sky_components_keep_the_error_that_is_stated(void **state)
 {
     (void)state;
@@ -293,9 +299,9 @@ static void sky_components_keep_the_error_that_is_stated(void **state)
 
 #define SILL "left='0.5' sill='1.4' width='3' height='1.6' glazing='clear-single'"
 
-/* Light at a point at the height of that sill, `away` from the middle of the pane, by the
- * midpoint rule over azimuth from its normal and altitude: up from a skyline 30 degrees
- * high, which falls off aside, to the head. */
+/* Light at a point at the height of the sill, `away` from the middle of the pane.
+ * Midpoint rule over azimuth from its normal and altitude, from a skyline 30 degrees
+ * high, which appears lower to the sides, up to the head. */
 static double before_the_sill(const struct pp_world *world,
                               const struct pp_outside_light *light, double away)
 {
@@ -318,8 +324,8 @@ static double before_the_sill(const struct pp_world *world,
     return sum;
 }
 
-/* Half a millimetre before a pane 3 m wide, half of what it gives comes through the lowest
- * millimetre, and near the foot of the point. */
+/* Half a millimetre in front of a pane 3 m wide, half of its light comes from the
+ * lowest millimetre, near the point. */
 static void as_near_a_pane_as_may_be_its_sky_keeps_the_error_that_is_stated(
     void **state)
 {
@@ -348,8 +354,8 @@ static void as_near_a_pane_as_may_be_its_sky_keeps_the_error_that_is_stated(
 
 /* ---- doors and dados ---- */
 
-/* Painted as the wall is, they are the wall, whatever they are called: in a niche's reach,
- * beside the wall, and on the mean over the plane. */
+/* With the colour of the wall, doors and dados do not change the light: near a niche,
+ * beside the wall, and on average over the plane. */
 static void a_dado_and_a_door_painted_as_the_wall_change_nothing(void **state)
 {
     (void)state;
@@ -404,8 +410,8 @@ static void threads_change_nothing_to_the_bit(void **state)
     pp_world_destroy(world);
 }
 
-/* A plane that begins at (1.3, 2.1), of 3 by 5 m: about as many points as wanted, whose
- * mean is its middle. */
+/* A plane of 3 by 5 m that begins at (1.3, 2.1): about the requested number of points,
+ * whose mean is its centre. */
 static void points_of_a_plane_lie_evenly_wherever_it_begins(void **state)
 {
     (void)state;
@@ -424,7 +430,7 @@ static void points_of_a_plane_lie_evenly_wherever_it_begins(void **state)
         whole += points.shares[i];
     }
     assert_near(whole, 1.0, 1e-12);
-    assert_near(x, 2.8, 0.05); /* places within squares differ */
+    assert_near(x, 2.8, 0.05); /* positions within squares differ */
     assert_near(y, 4.6, 0.05);
     pp_plane_points_clear(&points);
     pp_world_destroy(world);

@@ -1,12 +1,13 @@
-/* test_radiosity_agree.c - radiosity against the path tracer, which shares the world with
- * it and nothing else: in rooms with reveals, dados, partitions, scattering panes, a
+/* test_radiosity_agree.c - radiosity compared with the path tracer, with which it
+ * shares only the world: rooms with reveals, dados, partitions, scattering panes and a
  * court. */
 #include "tests/lib/radiosity_of.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/sized.h"
 
-/* Daylight factors and their average are no farther apart than the stated error, 2 % at the
- * most, and three standard errors; components than 0.5 % of the daylight factor more. */
+/* Asserts that daylight factors and their average differ by at most the stated error,
+ * at most 2 %, and three standard errors; components by another 0.5 % of the daylight
+ * factor. */
 static void both_agree(const char *xml)
 {
     struct pp_outside_light light;
@@ -90,8 +91,8 @@ static void at_the_foot_of_a_court(void **state)
 
 #define CLEAR "<sky type='iso-12' sun-altitude='35' sun-bearing='200'/>"
 
-/* At gate size behind one without a distance alone, in a third of the time: under sanitizers
- * still more than all else here. */
+/* At gate size only a skyline without a distance, which takes a third of the time;
+ * under sanitizers this is still most of the time of this file. */
 static void behind_a_skyline_under_a_clear_sky(void **state)
 {
     (void)state;

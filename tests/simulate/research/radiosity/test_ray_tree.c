@@ -1,4 +1,5 @@
-/* test_ray_tree.c - the first triangle of many, against looking at each of them. */
+/* test_ray_tree.c - the first of many triangles, compared with a test of every
+ * triangle. */
 #include "simulate/research/radiosity/ray_tree.h"
 
 #include "tests/lib/dice.h"
@@ -12,7 +13,7 @@ static struct pp_vec3 anywhere(struct dice *dice, double size)
                   between(dice, -size, size));
 }
 
-/* By the signs of three volumes: no division but that for the distance. */
+/* Uses the signs of three volumes, and only one division, for the distance. */
 static double distance_to(const struct pp_ray_triangle *triangle, struct pp_vec3 from,
                           struct pp_vec3 to)
 {
@@ -78,7 +79,8 @@ static void an_empty_tree_is_met_by_nothing(void **state)
     pp_ray_tree_destroy(tree);
 }
 
-/* A ray along the axes, in the very plane of a box's side and through shared edges. */
+/* Rays parallel to the axes, exactly in the plane of a box's side and through shared
+ * edges. */
 static void a_ray_through_a_shared_edge_does_not_slip_through(void **state)
 {
     (void)state;
