@@ -215,18 +215,27 @@ static void put_schedule(const struct pp_annual_sheet *sheet, const char *name,
     pp_lighting_report_schedule(sheet, out);
 }
 
+/* True if the hours are part of the JSON output, not in a file. */
+static bool hours_are_json(const struct annual_options *options)
+{
+    return options->hourly
+           && pp_annual_hourly_of_name(options->hourly) == PP_ANNUAL_HOURLY_JSON;
+}
+
 static enum pp_exit run_annual_of_rooms(struct annual_options *options,
                                         const struct pp_rooms *rooms)
 {
     struct annual_run run = {
         .options = options,
         .rooms = rooms,
-        .results = {.several = rooms->several,
+        .results = {.hourly = hours_are_json(options),
+                    .several = rooms->several,
                     .more_than_one_file = rooms->more_than_one_file}};
     enum pp_exit exit_status = pp_job_run(&(struct pp_job){
         options->room.output, compute_annual, print_annual, annual_is_finished, &run});
     if (exit_status == PP_EXIT_DONE)
-        exit_status = write_further(&run, options->hourly, put_hourly);
+        exit_status = write_further(&run, run.results.hourly ? NULL : options->hourly,
+                                    put_hourly);
     if (exit_status == PP_EXIT_DONE)
         exit_status = write_further(&run, options->stores.matrix, put_coefficients);
     if (exit_status == PP_EXIT_DONE)
@@ -249,11 +258,11 @@ static enum pp_exit run_annual_of_rooms(struct annual_options *options,
 /* First option given whose file is for one room only; NULL: none. */
 static const char *of_one_room(const struct annual_options *options)
 {
-    return options->hourly              ? "--hourly"
-           : options->stores.matrix     ? "--coefficients"
-           : options->stores.from       ? "--coefficients-from"
-           : options->lighting.schedule ? "--schedule"
-                                        : NULL;
+    return options->hourly && !hours_are_json(options) ? "--hourly"
+           : options->stores.matrix                    ? "--coefficients"
+           : options->stores.from                      ? "--coefficients-from"
+           : options->lighting.schedule                ? "--schedule"
+                                                       : NULL;
 }
 
 static enum pp_exit run_annual(void *values, char **files, int file_count)
@@ -332,7 +341,11 @@ static enum pp_status read_hourly(const char *text, void *place, struct pp_error
 {
     if (pp_annual_hourly_of_name(text) == PP_ANNUAL_HOURLY_NONE)
         return pp_fail(err, PP_BAD_INPUT,
-                       "a file name that ends with .csv, .ill or .npy");
+                       "a file name that ends with .csv, .ill or .npy, or json");
+    if (pp_annual_hourly_of_name(text) == PP_ANNUAL_HOURLY_JSON) {
+        *(const char **)place = text;
+        return PP_OK;
+    }
     return pp_options_read_output(text, place, err);
 }
 
@@ -361,9 +374,9 @@ static const struct pp_option result_options[] = {
      "Instead of --blinds: closed in the hours of a file with a line for each record "
      "of the weather file, whose last field is 1 (closed) or 0 (open).",
      pp_options_read_input, PLACE(blinds.file)},
-    {"hourly", 0, "FILE",
+    {"hourly", 0, "FILE|json",
      "Also write the illuminances of all hours to FILE.csv, FILE.ill (DAYSIM format) "
-     "or FILE.npy (NumPy format).",
+     "or FILE.npy (NumPy format). json: add them to the output of --format json.",
      read_hourly, PLACE(hourly)},
     {"part", 0, "K/N",
      "Simulate only rooms K, K + N, K + 2 N and so on. Parts 1/N to N/N together cover "
@@ -439,6 +452,9 @@ static enum pp_status check_annual_options(void *values, char **files, int file_
         return pp_fail(err, PP_BAD_INPUT,
                        "--samples is %ld; expected a power of two up to 65536",
                        study->samples);
+    if (hours_are_json(options) && options->format != PP_FORMAT_JSON)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--hourly json needs --format json; expected --hourly FILE.csv");
     study->simulate = true;
     enum pp_status status = pp_annual_stores_check(&options->stores, study->error > 0.0,
                                                    options->annual.exact_sky, err);

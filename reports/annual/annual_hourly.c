@@ -3,8 +3,11 @@
 
 #include <math.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+
+#include "reports/parts/json.h"
 
 enum pp_annual_hourly_format pp_annual_hourly_of_name(const char *name)
 {
@@ -15,6 +18,8 @@ enum pp_annual_hourly_format pp_annual_hourly_of_name(const char *name)
                 {".ill", PP_ANNUAL_HOURLY_ILL},
                 {".npy", PP_ANNUAL_HOURLY_NPY}};
     size_t length = strlen(name);
+    if (strcmp(name, "json") == 0)
+        return PP_ANNUAL_HOURLY_JSON;
     for (int i = 0; i < 3; i++)
         if (length > 4 && strcasecmp(name + length - 4, ends[i].end) == 0)
             return ends[i].format;
@@ -101,9 +106,73 @@ void pp_annual_hourly_put(const struct pp_annual_sheet *sheet,
     case PP_ANNUAL_HOURLY_NPY:
         put_npy(sheet, out);
         break;
+    case PP_ANNUAL_HOURLY_JSON:
     case PP_ANNUAL_HOURLY_NONE:
         break;
     }
+}
+
+static double rounded_lx(double lx)
+{
+    return floor(10.0 * lx + 0.5) / 10.0;
+}
+
+/* Values of all hours with a decimal: of a point, or the mean of all points for -1. */
+static void fill_lx(double *values, const struct pp_annual_sheet *sheet, int point)
+{
+    int first = point < 0 ? 0 : point;
+    int count = point < 0 ? sheet->receiver_count : 1;
+    for (int i = 0; i < sheet->hour_count; i++) {
+        double sum = 0.0;
+        for (int x = first; x < first + count; x++)
+            sum += pp_annual_sheet_lx(sheet, x, i);
+        values[i] = rounded_lx(sum / count);
+    }
+}
+
+static void fill_dates(double *months, double *days, double *middles, double *occupied,
+                       const struct pp_annual_sheet *sheet)
+{
+    for (int i = 0; i < sheet->hour_count; i++) {
+        const struct pp_annual_hour *hour = &sheet->hours[i];
+        months[i] = hour->month;
+        days[i] = hour->day;
+        middles[i] = hour->start_h + 0.5 * hour->length_h;
+        occupied[i] = hour->occupied_h;
+    }
+}
+
+bool pp_annual_hourly_add_json(struct json_object *object,
+                               const struct pp_annual_sheet *sheet)
+{
+    int count = sheet->hour_count;
+    size_t hours = (size_t)count;
+    double *values = calloc(4 * hours + 1, sizeof *values);
+    struct json_object *to = json_object_new_object(), *points;
+    bool good = pp_json_add(object, "hourly", to) && values;
+    if (good)
+        fill_dates(values, values + hours, values + 2 * hours, values + 3 * hours,
+                   sheet);
+    good = good && pp_json_numbers(to, "month", values, count)
+           && pp_json_numbers(to, "day", values + hours, count)
+           && pp_json_numbers(to, "hour_middle", values + 2 * hours, count)
+           && pp_json_numbers(to, "occupied_h", values + 3 * hours, count);
+    if (good) {
+        fill_lx(values, sheet, -1);
+        points = json_object_new_array();
+        good = pp_json_numbers(to, "average_lux", values, count)
+               && pp_json_add(to, "points", points);
+    }
+    for (int x = 0; x < sheet->receiver_count && good
+                    && sheet->receiver_count <= PP_ANNUAL_HOURLY_JSON_POINTS;
+         x++) {
+        struct json_object *point = json_object_new_object();
+        fill_lx(values, sheet, x);
+        good = pp_json_append(points, point)
+               && pp_json_numbers(point, "lux", values, count);
+    }
+    free(values);
+    return good;
 }
 
 void pp_annual_hourly_put_matrix(const struct pp_annual_sheet *sheet, FILE *out)

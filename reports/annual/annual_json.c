@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "reports/annual/annual_figure.h"
+#include "reports/annual/annual_hourly.h"
 #include "reports/annual/hand_year_report.h"
 #include "reports/annual/lighting_report.h"
 #include "reports/parts/json.h"
@@ -171,7 +172,8 @@ static struct json_object *annual_room(const void *all, int index)
         good = add_plane(object, result) && add_discretisation(object, sheet)
                && add_groups(object, sheet) && pp_lighting_report_json(object, sheet)
                && pp_hand_year_report_json(object, &result->hand, sheet)
-               && add_points(object, result);
+               && add_points(object, result)
+               && (!results->hourly || pp_annual_hourly_add_json(object, sheet));
     return pp_json_whole(object, good);
 }
 

@@ -18,6 +18,7 @@ struct pp_annual_results {
     int count;
     bool several; /* print a list, even for a single room */
     bool more_than_one_file;
+    bool hourly; /* JSON has the illuminances of all hours */
 };
 
 /* A figure and its appearance in reports. */

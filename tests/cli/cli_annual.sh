@@ -3,21 +3,7 @@
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
-# A year at Brussels: clear from 9 to 16 h, with the radiation of a sun at the middle of
-# each hour as far as a sine has it; dark else.
-awk 'BEGIN {
-    print "LOCATION,Brussels,-,BEL,made up,064510,50.90,4.53,1.0,58.0"
-    print "HOLIDAYS/DAYLIGHT SAVINGS,No,3/26,10/28,0"
-    print "DATA PERIODS,1,1,Data,Sunday,1/1,12/31"
-    split("31 28 31 30 31 30 31 31 30 31 30 31", days, " ")
-    for (m = 1; m <= 12; m++)
-        for (d = 1; d <= days[m]; d++)
-            for (h = 1; h <= 24; h++) {
-                lit = h > 9 && h <= 16
-                printf "%d,%d,%d,%d,0,?,10,7.5,84,101000,0,0,315,%d,%d,%d,0,0,0\n",
-                    2001 + m % 2, m, d, h, lit ? 9999 : 0, lit ? 400 : 0, lit ? 150 : 0
-            }
-}' >"$scratch/year.epw"
+awk -f "$srcdir/tests/lib/clear_year.awk" >"$scratch/year.epw"
 sed 's|</room>|<point x="1.5" y="1"/><point x="1.5" y="6"/></room>|; /<line/d; /<grid/d' \
     "$deep" >"$scratch/room.xml"
 room=$scratch/room.xml
@@ -62,6 +48,19 @@ check "hours as NumPy has them" \
     gives $annual --hourly "$scratch/hours.npy" "$room"
 check "128 bytes and 2 x 8760 numbers" \
     test "$(wc -c <"$scratch/hours.npy")" -eq $((128 + 4 * 2 * 8760))
+check "hours in JSON" shows '"average_lux": [ 0,' $annual -f json --hourly json "$room"
+# mean_of_hours: the mean of the hours in JSON is the mean of the year.
+mean_of_hours() {
+    awk '/"occupied_h": \[/ { gsub(/.*\[|\].*/, ""); n = split($0, hours, ", ") }
+        /"average_lux": \[/ { gsub(/.*\[|\].*/, ""); split($0, lux, ", ") }
+        /"mean-lux":/ && !wanted { wanted = $4 + 0 }
+        END {
+            for (i = 1; i <= n; i++) { sum += lux[i] * hours[i]; all += hours[i] }
+            exit !(n == 8760 && all > 0 && sum / all > wanted - 0.06 && sum / all < wanted + 0.06)
+        }' "$scratch/out"
+}
+check "whose mean is that of the year" mean_of_hours
+check "but not in text" refuses 2 "needs --format json" $annual --hourly json "$room"
 run $annual --seed 5 -f csv "$room"
 cp "$scratch/out" "$scratch/first"
 run $annual --seed 5 --threads 3 -f csv "$room"

@@ -1,0 +1,15 @@
+# clear_year.awk - prints a weather file. A year at Brussels: clear from 9 to 16 h, with the radiation
+# of a sun at the middle of each hour as far as a sine has it; dark else.
+BEGIN {
+    print "LOCATION,Brussels,-,BEL,made up,064510,50.90,4.53,1.0,58.0"
+    print "HOLIDAYS/DAYLIGHT SAVINGS,No,3/26,10/28,0"
+    print "DATA PERIODS,1,1,Data,Sunday,1/1,12/31"
+    split("31 28 31 30 31 30 31 31 30 31 30 31", days, " ")
+    for (m = 1; m <= 12; m++)
+        for (d = 1; d <= days[m]; d++)
+            for (h = 1; h <= 24; h++) {
+                lit = h > 9 && h <= 16
+                printf "%d,%d,%d,%d,0,?,10,7.5,84,101000,0,0,315,%d,%d,%d,0,0,0\n",
+                    2001 + m % 2, m, d, h, lit ? 9999 : 0, lit ? 400 : 0, lit ? 150 : 0
+            }
+}
