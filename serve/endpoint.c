@@ -7,6 +7,7 @@
 #include "serve/answers/answer_study.h"
 #include "serve/answers/answer_about.h"
 #include "serve/stores/job_store.h"
+#include "serve/answers/stream_annual.h"
 #include "serve/answers/stream_render.h"
 #include "serve/answers/stream_trace.h"
 #include "serve/stores/weather_store.h"
@@ -41,8 +42,9 @@ static const struct pp_endpoint endpoints[] = {
     JSON_POST("availability", PP_LINE_PROGRAMS, pp_answer_program,
               "Share of working hours with enough daylight, as from pepperpot "
               "availability"),
-    JSON_POST("annual", PP_LINE_PROGRAMS, pp_answer_program,
-              "Daylight in every hour of a weather file, as from pepperpot annual"),
+    JSON_POST("annual", PP_LINE_PROGRAMS, pp_stream_annual,
+              "Daylight in every hour of a weather file as a stream of events, or as "
+              "from pepperpot annual"),
     JSON_POST("report", PP_LINE_PROGRAMS, pp_answer_program,
               "The report, as from pepperpot report"),
     JSON_POST("import", PP_LINE_PROGRAMS, pp_answer_program_import,

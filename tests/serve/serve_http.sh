@@ -165,6 +165,42 @@ check "annual accepts hand methods, and needs a whole year" answers 422 annual
 asks "$deep" "{\"weather\":\"$hash\",\"methods\":\"doe3\"}"
 check "a wrong hand method is refused" answers 400 annual
 check "with the nearest one" holds doe2
+awk -f "$srcdir/tests/lib/clear_year.awk" >"$scratch/year.epw"
+weather=$scratch/year.epw
+check "a whole year is kept" keeps_weather
+hash=$(sha256sum "$weather" | cut -d ' ' -f 1)
+asks "$deep" "{\"weather\":\"$hash\",\"points\":[[1.5,2]],\"error\":30}"
+check "annual streams" answers 200 annual
+annual_stream() {
+    [ "$(grep -c '^event: estimate' "$scratch/answer")" -eq 3 ] && grep -q '^event: result' "$scratch/answer" &&
+        grep -q '"progress":1.0' "$scratch/answer" && [ "$(grep -c '"average_lux"' "$scratch/answer")" -eq 3 ]
+}
+check "coarse first, with all hours, and the result at its end" annual_stream
+same_annual() {
+    sed -n '/^event: result/,$s/^data: //p' "$scratch/answer" | grep -o '"year-klxh":{"value":[0-9.]*' | head -n 1 >"$scratch/a"
+    "$pepperpot" annual -q -w "$weather" --points 1.5,2 --samples 128 --format json "$deep" |
+        grep -o '"year-klxh": { "value": [0-9.]*' | head -n 1 | tr -d ' ' >"$scratch/b"
+    [ -s "$scratch/a" ] && cmp "$scratch/a" "$scratch/b"
+}
+check "which is the command's" same_annual
+# The command runs as a child; 0.2 s after the client has gone there is none.
+children() { cat /proc/"$server"/task/*/children 2>/dev/null; }
+stops_year() {
+    asks "$deep" "{\"weather\":\"$hash\",\"error\":0.1}"
+    curl -s -H "$json" -d @"$scratch/asked" "$address/api/annual" >"$scratch/answer" &
+    tries=100
+    while [ $((tries -= 1)) -gt 0 ] && [ -z "$(children)" ]; do sleep 0.05; done
+    begun=$(children)
+    kill $!
+    sleep 0.2
+    [ -n "$begun" ] && [ -z "$(children)" ]
+}
+check "the year stops when the client has gone" stops_year
+asks "$deep" "{\"weather\":\"$hash\",\"samples\":3}"
+check "a number of paths that annual does not accept is refused" answers 400 annual
+asks "$deep" "{\"weather\":\"$hash\",\"samples\":16,\"points\":[[1.5,2]],\"format\":\"json\"}"
+check "with a format, annual answers once" answers 200 annual
+check "with its output" holds '"format": "pepperpot-annual-1"'
 asks "$deep" '{"points":[null]}'
 check "nor null a point" answers 400 df
 asks "$deep" "{\"weather\":\"$(printf '%064d' 0)\"}"
