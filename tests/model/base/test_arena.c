@@ -1,10 +1,10 @@
-/* test_arena.c - pieces of memory that are freed together. */
+/* test_arena.c - blocks of memory that are freed together. */
 #include <stdint.h>
 
 #include "model/base/arena.h"
 #include "tests/lib/near.h"
 
-/* Small ones, ones that fill a block to its end, and ones larger than any block. */
+/* Small blocks, blocks that fill a chunk exactly, and blocks larger than any chunk. */
 static void pieces_lie_apart_and_fit_any_type(void **state)
 {
     (void)state;

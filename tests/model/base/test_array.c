@@ -1,4 +1,4 @@
-/* test_array.c - lists grow without losing what they hold. */
+/* test_array.c - lists keep their contents when they grow. */
 #include "tests/lib/near.h"
 
 #include <limits.h>

@@ -1,4 +1,4 @@
-/* test_mistakes.c - mistakes are gathered, kept once, and sorted by line. */
+/* test_mistakes.c - mistakes are collected, without duplicates, and sorted by line. */
 #include "model/base/mistakes.h"
 
 #include "tests/lib/near.h"

@@ -1,4 +1,4 @@
-/* test_relative_path.c - ways between folders that are there, each walked. */
+/* test_relative_path.c - relative paths between existing folders, each opened. */
 #include "model/base/relative_path.h"
 
 #include <stdio.h>
@@ -67,7 +67,7 @@ static void ways_lead_up_to_what_is_common_and_down(void **state)
     assert_way("a/../d", "./a/./b", "../../d/");
 }
 
-/* "link" is a/b: what is relative there is relative to a/b. */
+/* "link" points to a/b, so a path relative to it is relative to a/b. */
 static void links_are_followed(void **state)
 {
     (void)state;
@@ -82,7 +82,7 @@ static void a_folder_that_is_not_there_changes_nothing(void **state)
     assert_way("a", "none", "");
 }
 
-/* From any of the folders, the prefix and the name of a file in any other lead to that file. */
+/* Between any two folders: the prefix with the name of a file leads to that file. */
 static void every_way_can_be_walked(void **state)
 {
     (void)state;

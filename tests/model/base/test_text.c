@@ -1,4 +1,4 @@
-/* Text put together piece by piece, and names that were mistyped. */
+/* test_text.c - text built piece by piece, and suggestions for mistyped names. */
 #include "model/base/text.h"
 #include "tests/lib/near.h"
 
@@ -12,7 +12,7 @@ static void pieces_follow_one_another(void **state)
     assert_string_equal(text, "2 windows, 1.2 m");
 }
 
-/* Whatever is added to a full text, no byte behind it changes. */
+/* Additions to a full text do not change any byte behind it. */
 static void what_has_no_room_is_cut_off(void **state)
 {
     (void)state;

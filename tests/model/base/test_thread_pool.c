@@ -1,4 +1,4 @@
-/* test_thread_pool.c - work of a pool of threads: each index once, by any worker. */
+/* test_thread_pool.c - a thread pool processes each index once. */
 #include "tests/lib/near.h"
 
 #include <stdatomic.h>
@@ -9,13 +9,14 @@
 
 enum { MOST = 10007, MEMBERS_MOST = 9 };
 
-/* Work done, by index and by worker. */
+/* Work done, for each index and each worker. */
 struct done {
     atomic_int times[MOST];
     atomic_bool busy[MEMBERS_MOST];
-    atomic_int clashes; /* a worker at work twice at the same time, or of no number */
-    int size;           /* of the pool */
-    int stop_at;        /* -1: nowhere */
+    atomic_int
+        clashes; /* a worker that runs twice at the same time, or has an invalid number */
+    int size;    /* number of workers in the pool */
+    int stop_at; /* index at which the work stops; -1: none */
 };
 
 static bool note(void *data, int worker, int index)
@@ -31,12 +32,12 @@ static bool note(void *data, int worker, int index)
     return index != done->stop_at;
 }
 
-/* Ways to run indices: one at a time, or by handfuls. */
+/* Processes indices one at a time, or several at a time. */
 typedef int runner(struct pp_thread_pool *pool, int first, int end,
                    pp_thread_pool_work *work, void *data);
 static runner *const runners[] = {pp_thread_pool_run, pp_thread_pool_run_small};
 
-/* One run by a pool of that size: where it ended. */
+/* Runs the pool once; returns the index where it ended. */
 static int run(struct done *done, runner *run_indices, int size, int first, int end,
                int stop_at)
 {
@@ -82,7 +83,7 @@ static void of_no_indices_nothing_is_done(void **state)
     }
 }
 
-/* Started indices are done to the end, so that it is all before some index. */
+/* Indices that were started are completed, so there are no gaps. */
 static void work_that_stops_leaves_no_gap(void **state)
 {
     (void)state;
@@ -91,7 +92,7 @@ static void work_that_stops_leaves_no_gap(void **state)
         for (int stop_at = 0; stop_at < 400; stop_at += 37) {
             int next = run(&done, runners[s / 4], sizes[s % 4], 0, MOST, stop_at);
             assert_true(next > stop_at);
-            if (s == 0) /* one worker, one at a time */
+            if (s == 0) /* one worker, one index at a time */
                 assert_int_equal(next, stop_at + 1);
             if (s == 4)
                 assert_true(next <= stop_at + 16);
@@ -101,7 +102,7 @@ static void work_that_stops_leaves_no_gap(void **state)
     assert_int_equal(run(&done, pp_thread_pool_run, 3, 0, MOST, MOST - 1), MOST);
 }
 
-/* Two indices, each of which is done when the other has begun. */
+/* Two indices, each of which waits until the other has started. */
 struct meeting {
     atomic_int begun;
     atomic_int met;
@@ -130,7 +131,7 @@ static void two_members_work_at_the_same_time(void **state)
     pp_thread_pool_destroy(pool);
 }
 
-/* A sum that is nobody's own. */
+/* A sum to which all workers add. */
 struct shared_sum {
     struct pp_thread_pool *pool;
     long sum;
@@ -146,8 +147,8 @@ static bool add(void *data, int worker, int index)
     return true;
 }
 
-/* Short runs, one after another: workers come late, and to another run than the one they
- * were called to. */
+/* Many short runs: a worker may wake up late, during a later run than the one it was
+ * started for. */
 static void a_crew_works_again_and_again(void **state)
 {
     (void)state;

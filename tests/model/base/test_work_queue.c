@@ -1,5 +1,6 @@
-/* test_work_queue.c - numbered work: collected in order, and the same bytes whoever does
- * it, by threads and by ranks that write to one another in this process. */
+/* test_work_queue.c - numbered work: results are collected in order and identical,
+ * whether threads or ranks do the work. The ranks exchange messages within this
+ * process. */
 #include "tests/lib/near.h"
 
 #include <pthread.h>
@@ -15,20 +16,20 @@ enum { FIRST = 3, END = 240, RANKS_MOST = 4, MAIL_MOST = 4 * END };
 
 /* ---- the work ---- */
 
-/* The results of a queue: the bytes collected, one after the other. */
+/* Results of a queue: the bytes collected, in order. */
 struct taken {
     char bytes[20 * END];
     size_t length;
-    int next;    /* to be taken */
+    int next;    /* next index to be collected */
     int fails_a; /* indices whose work fails; -1: none */
     int fails_b;
-    int refused; /* the index that is not taken; -1: none */
-    int stop;    /* look says so from that index on; -1: never */
-    bool slow;   /* a millisecond for each index */
+    int refused; /* index whose result is rejected; -1: none */
+    int stop;    /* the run is stopped from this index on; -1: never */
+    bool slow;   /* takes a millisecond for each index */
 };
 
-/* Some arithmetic, longer for some indices than for others, so that they overtake one
- * another. */
+/* Some arithmetic that takes longer for some indices, so that later ones may finish
+ * first. */
 static enum pp_status work(void *data, int worker, int index, char **bytes,
                            size_t *length, struct pp_error *err)
 {
@@ -85,8 +86,8 @@ static enum pp_status run_queue(struct taken *taken, int threads, struct pp_erro
     return status;
 }
 
-/* The bytes that there ought to be, one index after the other, up to the last that was
- * taken. */
+/* Asserts that the collected bytes are those expected, in order, up to the last index
+ * collected. */
 static void assert_prefix(const struct taken *taken)
 {
     struct taken plain = nothing;
@@ -183,10 +184,10 @@ struct post {
     pthread_mutex_t mutex;
     struct letter letters[MAIL_MOST];
     int count;
-    int dies;       /* a rank that falls silent; -1: none */
-    int dies_after; /* as many messages of its own */
+    int dies;       /* a rank that stops sending messages; -1: none */
+    int dies_after; /* number of messages it sends before */
     int count_of_ranks;
-    int threads; /* of each rank */
+    int threads; /* threads of each rank */
     struct taken *taken;
     enum pp_status status[RANKS_MOST];
     struct pp_error err;
@@ -235,7 +236,7 @@ static enum pp_status post_receive(void *data, int *from, char **bytes, size_t *
     return PP_OK;
 }
 
-/* Pool work: the life of a rank. */
+/* Work of the pool: runs one rank. */
 static bool live(void *data, int worker, int rank)
 {
     struct post *post = data;

@@ -1,5 +1,5 @@
-/* test_area_moments.c - areas, centroids and boxes of plane figures and of what cuts leave
- * of them, known on paper. */
+/* test_area_moments.c - areas, centroids and boxes of plane figures and of their parts,
+ * compared with calculations by hand. */
 #include "model/geometry/area_moments.h"
 
 #include "tests/lib/near.h"
@@ -16,7 +16,7 @@ static void assert_moments(struct pp_area_moments is, double area, double x, dou
     assert_near(is.high, box[3], 1e-14);
 }
 
-/* The centroid of a triangle is the mean of its corners; wherever the origin lies. */
+/* The centroid of a triangle is the mean of its corners, for any origin. */
 static void a_triangles_centroid_is_the_mean_of_its_corners(void **state)
 {
     (void)state;
@@ -30,8 +30,8 @@ static void a_triangles_centroid_is_the_mean_of_its_corners(void **state)
     assert_moments(sum, area, 8.4 / 3.0, 5.2 / 3.0, box);
 }
 
-/* A rectangle 3 m by 2 m with a hole of 1 m by 0.5 m, which runs the other way: 5.5 m2,
- * their centroids weighed by their areas. */
+/* A rectangle 3 m by 2 m with a hole of 1 m by 0.5 m in the opposite orientation: 5.5
+ * m2, with centroids weighted by area. */
 static void a_hole_takes_its_part(void **state)
 {
     (void)state;
@@ -47,8 +47,8 @@ static void a_hole_takes_its_part(void **state)
                    (6.0 * 2.0 - 0.5 * 2.45) / 5.5, box);
 }
 
-/* A triangle from 1 m below the horizon to 2 m above it: what is over the horizon is a
- * triangle of two thirds of its size. A spike, out to z = 5 and back, is no part of it. */
+/* A triangle from 1 m below the horizon to 2 m above it: the part above the horizon is
+ * a triangle of two thirds of its size. A spike to z = 5 and back is not included. */
 static void above_the_horizon_the_upper_part_is_left(void **state)
 {
     (void)state;
@@ -60,8 +60,8 @@ static void above_the_horizon_the_upper_part_is_left(void **state)
     assert_moments(pp_area_moments_above_horizon(&region), 2.0, 0.0, 2.0 / 3.0, box);
 }
 
-/* The box leaves 1.1 to 2.9 by 0.3 to 4 of the square from 0 to 4; of a triangle whose
- * corner it cuts off, the rest. */
+/* Of the square from 0 to 4 the box leaves 1.1 to 2.9 by 0.3 to 4. The box cuts one
+ * corner off the triangle. */
 static void a_box_leaves_what_is_in_it(void **state)
 {
     (void)state;

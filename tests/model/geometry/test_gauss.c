@@ -1,11 +1,11 @@
-/* test_gauss.c - Gauss-Legendre rules of all orders, against what defines them. */
+/* test_gauss.c - Gauss-Legendre rules of all orders, compared with their definition. */
 #include "model/geometry/gauss.h"
 
 #include "tests/lib/near.h"
 
-/* The integral of x^k from -1 to 1 is 2/(k + 1) for even k, else 0: of every rule exact
- * for k below twice its order, and for the next even one too low. Rounding of some
- * hundred terms. */
+/* The integral of x^k from -1 to 1 is 2/(k + 1) for even k, otherwise 0. Every rule is
+ * exact for k below twice its order, and too low for the next even k. Tolerance:
+ * rounding of some hundred terms. */
 static void powers_are_integrated_exactly_up_to_the_degree(void **state)
 {
     (void)state;
@@ -18,13 +18,14 @@ static void powers_are_integrated_exactly_up_to_the_degree(void **state)
                 sum += weights[i] * pow(nodes[i], k);
             if (k < 2 * order)
                 assert_near(sum, exact, 1e-13);
-            else if (order < 20) /* from there on the difference is rounding */
+            else if (order < 20) /* for higher orders the difference is only rounding */
                 assert_true(sum < exact);
         }
     }
 }
 
-/* In order, each once, alike on both sides; of order 3 the root of 3/5, weighted 5/9. */
+/* In ascending order, without duplicates and symmetrical; for order 3 the square root
+ * of 3/5, with the weight 5/9. */
 static void nodes_ascend_and_are_symmetrical(void **state)
 {
     (void)state;

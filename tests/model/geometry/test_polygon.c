@@ -4,7 +4,7 @@
 #include "model/geometry/polygons_cross.h"
 #include "tests/lib/near.h"
 
-/* A reproducible number in [0, 1). */
+/* Pseudo-random number in [0, 1). */
 static double next(uint64_t *state)
 {
     *state = *state * 6364136223846793005u + 1442695040888963407u;
@@ -21,7 +21,7 @@ static struct pp_vec3 direction(uint64_t *state)
     }
 }
 
-/* An L of 5.88 m2 in the plane's own axes. */
+/* An L-shape of 5.88 m2 in the plane's own axes. */
 static const double ell[6][2] = {{0.0, 0.0}, {3.1, 0.0}, {3.1, 1.1},
                                  {1.3, 1.1}, {1.3, 3.0}, {0.0, 3.0}};
 static const double ell_m2 = 3.1 * 1.1 + 1.3 * 1.9;
@@ -53,8 +53,8 @@ static void axes_are_right_handed_and_along_is_level(void **state)
     }
 }
 
-/* A wall that faces north, seen from the north: right is west. Level planes have no
- * uphill, and go by the plan. */
+/* A wall that faces north, seen from the north: right is west. Horizontal planes have
+ * no upward direction and use the axes of the plan. */
 static void walls_and_level_planes_have_the_axes_of_the_plan(void **state)
 {
     (void)state;
@@ -86,7 +86,7 @@ static void area_and_normal_are_the_same_in_any_plane(void **state)
     }
 }
 
-/* In its own axes the L is a union of two rectangles, and that is easy. */
+/* In its own axes the L-shape is a union of two rectangles, so the test is simple. */
 static void a_point_lies_in_the_polygon_if_it_does_in_its_axes(void **state)
 {
     (void)state;
@@ -113,13 +113,13 @@ static void a_point_lies_in_the_polygon_if_it_does_in_its_axes(void **state)
         inside += in;
         pp_polygon_clear(&polygon);
     }
-    /* 5.88 of 16 m2 of them. */
+    /* 5.88 of 16 m2 of the points. */
     assert_near(inside / 4000.0, ell_m2 / 16.0, 0.03);
 }
 
-/* The same of walls that face an axis or nearly do, and of floor and ceiling: seen along
- * one of the other axes such a polygon is a line, which encloses nothing. A point of its
- * plane that lies in it is as far off as its height. */
+/* The same for walls that face an axis or nearly do, and for floor and ceiling.
+ * Projected along one of the other axes such a polygon is a line, which encloses
+ * nothing. The distance of a point above the polygon is its height. */
 static void walls_along_the_axes_enclose_points_too(void **state)
 {
     (void)state;
@@ -137,7 +137,7 @@ static void walls_along_the_axes_enclose_points_too(void **state)
             bool inside = k < 2;
             assert_int_equal(pp_polygon_side(&polygon, point, 1e-6),
                              inside ? PP_INSIDE : PP_OUTSIDE);
-            /* From the inner corner at (1.3, 1.1), and from the edge x = 0. */
+            /* Distance from the inner corner at (1.3, 1.1), and from the edge x = 0. */
             double aside = inside ? 0.0 : k == 2 ? 0.9 : 0.5;
             assert_near(
                 pp_polygon_distance(&polygon, pp_vec_along(point, 1.2, polygon.normal)),
@@ -201,7 +201,8 @@ static void polygons_cross_only_where_both_go_on(void **state)
         quad(pp_vec(1, 0, -1), pp_vec(2, 0, -1), pp_vec(2, 0, 1), pp_vec(1, 0, 1));
     assert_false(cross(&floor, &along_edge, &where));
 
-    /* A plate with a foot on either side of a step, which it touches from above. */
+    /* A plate with a foot on each side of a step, which the plate touches from
+     * above. */
     struct pp_polygon step =
         quad(pp_vec(1, 0, 0), pp_vec(2, 0, 0), pp_vec(2, 2, 0), pp_vec(1, 2, 0));
     struct pp_vec3 feet[8] = {{0, 1, -1}, {1, 1, -1}, {1, 1, 0}, {2, 1, 0},
@@ -209,7 +210,8 @@ static void polygons_cross_only_where_both_go_on(void **state)
     struct pp_polygon plate;
     assert_int_equal(pp_polygon_of(&plate, feet, 8, NULL), PP_OK);
     assert_false(cross(&step, &plate, &where));
-    /* 2 cm wider than the gap between the feet, it cuts into one. */
+    /* The step is 2 cm wider than the gap between the feet and cuts into one of
+     * them. */
     step.vertices[1].x = step.vertices[2].x = 2.02;
     assert_true(cross(&step, &plate, &where));
     assert_near(where.x, 2.01, 1e-12);

@@ -1,4 +1,5 @@
-/* Plane figures: what GEOS is asked for, against areas known on paper. */
+/* test_region.c - plane figures: operations by GEOS, compared with areas calculated by
+ * hand. */
 #include "tests/lib/near.h"
 
 #include <stdlib.h>
@@ -6,7 +7,8 @@
 #include "model/geometry/clipper.h"
 #include "model/geometry/region.h"
 
-/* Coordinates of a few metres: areas are right to some units in the last place. */
+/* For coordinates of a few metres, areas are accurate to a few units in the last
+ * place. */
 #define ROUNDING 1e-13
 
 static struct pp_clipper *clipper;
@@ -87,7 +89,8 @@ static double area_by_crossings(const double (*xy)[2], int count)
 static void any_closed_line_has_a_figure_by_crossings(void **state)
 {
     (void)state;
-    /* A hole that turns as its rim does, and one with an edge in the rim: a notch. */
+    /* A hole with the same orientation as its outline, and a hole with an edge on the
+     * outline: a notch. */
     const double hole[10][2] = {{0.0, 0.0}, {5.3, 0.0}, {5.3, 2.7}, {0.0, 2.7},
                                 {0.0, 0.0}, {1.1, 0.9}, {3.4, 0.9}, {3.4, 2.2},
                                 {1.1, 2.2}, {1.1, 0.9}};
@@ -96,12 +99,12 @@ static void any_closed_line_has_a_figure_by_crossings(void **state)
                                  {1.1, 2.2}, {1.1, 0.0}};
     assert_near(area_by_crossings(hole, 10), 5.3 * 2.7 - 2.3 * 1.3, ROUNDING);
     assert_near(area_by_crossings(notch, 10), 5.3 * 2.7 - 2.3 * 2.2, ROUNDING);
-    /* A bow tie is two triangles of like shape, on the bases 1.3 and 1.7: they share
-     * the width of 2.1 as 1.3 to 1.7. */
+    /* A bow tie is two similar triangles on the bases 1.3 and 1.7, which divide the
+     * width of 2.1 in the ratio 1.3 to 1.7. */
     const double bow[4][2] = {{0.0, 0.0}, {2.1, 1.7}, {2.1, 0.0}, {0.0, 1.3}};
     double left = 2.1 * 1.3 / 3.0, right = 2.1 * 1.7 / 3.0;
     assert_near(area_by_crossings(bow, 4), (1.3 * left + 1.7 * right) / 2.0, ROUNDING);
-    /* There and back again bounds nothing, nor does what runs round twice. */
+    /* A path to and fro encloses nothing, nor does an outline traced twice. */
     const double spike[5][2] = {
         {0.0, 0.0}, {2.1, 0.0}, {3.4, 0.0}, {2.1, 0.0}, {0.9, 1.3}};
     const double twice[6][2] = {{0.0, 0.0}, {2.1, 0.0}, {0.9, 1.3},
@@ -127,7 +130,7 @@ static void a_hole_runs_clockwise_and_takes_its_area(void **state)
     /* 0.3 m to the left of the window, 0.8 m from the wall's end. */
     assert_near(pp_region_edge_distance(&rest, 0.8, 1.5), 0.3, ROUNDING);
 
-    /* Regions with holes go in again as they came out. */
+    /* Regions with holes are unchanged after conversion and back. */
     struct pp_region both[2], whole, none;
     both[0] = rest;
     both[1] = window;
@@ -212,9 +215,9 @@ static void triangles_cover_an_outline_with_a_hole(void **state)
     pp_region_clear(&wall);
 }
 
-/* A wall with five windows, three of them at its edges: GEOS 3.11 does not find triangles
- * of this outline, in which a corner and a corner of a hole have the same coordinate but
- * for rounding. */
+/* A wall with five windows, three of them at its edges. GEOS 3.11 finds no triangles
+ * for this outline, in which a corner and a corner of a hole have almost the same
+ * coordinate. */
 static void triangles_cover_a_wall_with_windows_at_its_edges(void **state)
 {
     (void)state;
@@ -271,8 +274,9 @@ static void the_union_of_nothing_is_empty(void **state)
     free(triangles);
 }
 
-/* An L of 5 by 2 and 2 by 3 above: half a metre in, 4 by 1 and 1 by 3; a ring of the
- * width of a metre has nothing there, and 0.1 m in a ring that is 0.8 m wide. */
+/* An L-shape of 5 by 2 and 2 by 3 above: half a metre inside, 4 by 1 and 1 by 3. Half a
+ * metre inside a ring 1 m wide nothing is left; 0.1 m inside a ring 0.8 m wide a ring
+ * is left. */
 static void inside_its_edge_an_l_is_a_smaller_l(void **state)
 {
     (void)state;
@@ -298,9 +302,9 @@ static void inside_its_edge_an_l_is_a_smaller_l(void **state)
     pp_region_clear(&outer);
 }
 
-/* Random quadrilaterals round a circle, all convex, give two triangles,
- * counter-clockwise, of the whole area, of the two ways the one whose angles at the
- * corners off the diagonal add up to 180 degrees or less (Delaunay). */
+/* Random convex quadrilaterals on a circle are divided into two counter-clockwise
+ * triangles with the whole area. The diagonal is the one whose opposite angles add up
+ * to at most 180 degrees (Delaunay). */
 static void a_convex_ring_of_four_is_cut_by_delaunay_s_diagonal(void **state)
 {
     (void)state;

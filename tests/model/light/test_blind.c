@@ -1,5 +1,5 @@
 /* test_blind.c - a blind with its glass as a pane that scatters by direction: its
- * functions agree with each other, with the slats alone, and conserve light. */
+ * functions agree with each other and with the slats alone, and conserve energy. */
 #include "model/light/slats/blind.h"
 
 #include "model/light/slats/blind_scatter.h"
@@ -20,7 +20,7 @@ static struct pp_blind *blind_of(struct pp_slats slats, bool vertical,
 
 static const struct pp_slats usual = {0.025, 0.02, -35.0 * PP_RAD, 0.002, 0.7, 0.4};
 
-/* Unit vector at an angle from z, and a turn from x. */
+/* Unit vector at an angle from z, rotated from x by `turn`. */
 static struct pp_vec3 direction(double angle, double turn)
 {
     return pp_vec(sin(angle) * cos(turn), sin(angle) * sin(turn), cos(angle));
@@ -61,7 +61,7 @@ static void integrals_of_the_btdf_are_the_shares(void **state)
         for (int k = 0; k < 5; k++) {
             struct pp_vec3 d = direction(angles[k], 0.7 + k);
             const struct pp_pane_scatter *scatter = &blinds[i]->scatter;
-            /* means of the glass over 32 steps, and over a bin */
+            /* Tolerance: means of the glass over 32 steps, and over a bin. */
             assert_relative(integral_of(blinds[i], d, false),
                             scatter->scattered(blinds[i], d), 0.01);
             assert_relative(integral_of(blinds[i], d, true),
@@ -71,7 +71,8 @@ static void integrals_of_the_btdf_are_the_shares(void **state)
     }
 }
 
-/* The mean of the samples' factors is about 1, as far as N is even in a cell; each is btdf cos / (density arriving). */
+/* The mean weight of the samples is about 1, if the integrand is nearly constant in a
+ * cell; each weight is btdf cos / (density arriving). */
 static void samples_have_the_density_that_is_stated(void **state)
 {
     (void)state;
@@ -100,7 +101,7 @@ static void samples_have_the_density_that_is_stated(void **state)
     pp_blind_release(blind);
 }
 
-/* Without glass, the parts are those of the slats alone. */
+/* Without glass, the result is that of the slats alone. */
 static void without_glass_the_slats_remain(void **state)
 {
     (void)state;
@@ -108,7 +109,7 @@ static void without_glass_the_slats_remain(void **state)
     struct pp_slat_cell *cell = NULL;
     struct pp_slat_light light;
     assert_int_equal(pp_slat_cell_create(&cell, &usual, NULL), PP_OK);
-    pp_slat_cell_light(cell, 40.0 * PP_RAD, &light); /* the end of a cell */
+    pp_slat_cell_light(cell, 40.0 * PP_RAD, &light); /* the border of a cell */
     struct pp_slat_parts parts = pp_slat_cell_parts(&light);
     /* profile angle 40 degrees: tan p = -y/z */
     struct pp_vec3 in = pp_vec_unit(pp_vec(0.6, -tan(40.0 * PP_RAD), 1.0));
@@ -121,10 +122,10 @@ static void without_glass_the_slats_remain(void **state)
     pp_blind_release(blind);
 }
 
-/* Between panes, light that is reflected from pane to pane passes slats on the way. It
- * is scattered light in the tables, so the straight light is that of two panes without
- * it: (1 - r)^2 of a pane that absorbs nothing and reflects r at both surfaces together.
- */
+/* Between panes, light reflected from pane to pane passes the slats on its way. In the
+ * tables this is scattered light, so direct light is that of two panes without this
+ * reflection: (1 - r)^2 for each pane that absorbs nothing, where r is the reflectance
+ * of both surfaces together. */
 static void straight_light_between_panes_passes_each_pane_once(void **state)
 {
     (void)state;
@@ -138,9 +139,9 @@ static void straight_light_between_panes_passes_each_pane_once(void **state)
     pp_blind_release(blind);
 }
 
-/* White slats and glass that absorbs nothing: even light from the room comes back or
- * passes. The little that passes twice through gaps by way of the glass is counted with
- * mean angles. */
+/* White slats and glass without absorption: uniform light from the room is reflected or
+ * transmitted completely. The small part that passes gaps twice after reflection by the
+ * glass is calculated with mean angles. */
 static void white_slats_and_clear_glass_lose_nothing(void **state)
 {
     (void)state;

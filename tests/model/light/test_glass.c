@@ -7,7 +7,7 @@
 
 #define RAD (3.14159265358979323846 / 180.0)
 
-/* Angles 0 to 80 degrees; four printed digits of an independent computation. */
+/* Angles 0 to 80 degrees; four printed digits of an independent calculation. */
 static void one_and_two_panes_by_angle(void **state)
 {
     (void)state;
@@ -28,10 +28,10 @@ static void one_and_two_panes_by_angle(void **state)
     }
 }
 
-/* Radiance's `glass` of normal transmittance 0.70 has a transmissivity of 0.762842 per
- * passage at n 1.52. At 60 degrees cos r = sqrt(1 - 0.75/1.52^2) = 0.82182, a =
- * 0.762842^(1/0.82182) = 0.719357; reflectances s 0.183438, p 0.001527: (0.488148
- * + 0.717162)/2. */
+/* Radiance's `glass` with a normal transmittance of 0.70 has a transmissivity of
+ * 0.762842 per passage for n 1.52. At 60 degrees cos r = sqrt(1 - 0.75/1.52^2) =
+ * 0.82182, a = 0.762842^(1/0.82182) = 0.719357; reflectances s 0.183438, p 0.001527:
+ * (0.488148 + 0.717162)/2. */
 static void absorbing_glass_is_that_of_radiance(void **state)
 {
     (void)state;
@@ -52,7 +52,7 @@ static void diffuse_transmittances(void **state)
     assert_near(pp_glass_panes(2, 1.52, 0.02).diffuse, 0.7292, 5e-5);
 }
 
-/* The pane's figures stand in the program; they are the integral's but for its rounding. */
+/* The values stored for this pane agree with the integral except for rounding. */
 static void the_brs_pane_is_the_sum_over_its_angles(void **state)
 {
     (void)state;
@@ -65,8 +65,8 @@ static void the_brs_pane_is_the_sum_over_its_angles(void **state)
                     0.0);
 }
 
-/* Without absorption what is not reflected goes through, at every angle and for any
- * number of panes; at grazing incidence nothing does. */
+/* Without absorption the light that is not reflected is transmitted, at every angle and
+ * for any number of panes; at grazing incidence none is transmitted. */
 static void lossless_glass_keeps_all_light(void **state)
 {
     (void)state;
@@ -103,8 +103,8 @@ static void no_glazing_gives_more_than_it_gets(void **state)
                     <= 1.0 + 1e-15);
 }
 
-/* Normal transmittances of ordinary products, as makers give them, and of diffusing
- * glass; the figure of every clear one falls with the angle. */
+/* Normal transmittances of ordinary products, as published by manufacturers, and of
+ * diffusing glass; the transmittance of every clear glass decreases with the angle. */
 static void named_glazings_are_within_their_published_ranges(void **state)
 {
     (void)state;
@@ -147,7 +147,7 @@ static void an_unglazed_opening_lets_all_through_at_any_angle(void **state)
     assert_near(none.diffuse, 1.0, 0.0);
 }
 
-/* glass_curve.h against glass.h, of glazings from clear as air to dark. */
+/* Compares glass_curve.h with glass.h, for glazings from clear to dark. */
 static void a_tabulated_law_is_the_law(void **state)
 {
     (void)state;

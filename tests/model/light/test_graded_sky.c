@@ -1,5 +1,5 @@
-/* test_graded_sky.c - graded skies against sums over the sky, for gradations that no
- * room has too. */
+/* test_graded_sky.c - graded skies compared with sums over the sky, also for gradations
+ * that room files do not have. */
 #include "model/light/graded_sky.h"
 #include "model/light/sky.h"
 
@@ -8,14 +8,15 @@
 static const double gradations[] = {0.0, 1.0, 2.0, 5.0};
 enum { GRADATIONS = 4, STEPS = 500 };
 
-/* Luminance over Lz in units of 1 + b, as in the head of the header. */
+/* Luminance divided by Lz, in units of 1/(1 + b), as at the top of the header. */
 static double brightness(double b, double sine)
 {
     return 1.0 + b * sine;
 }
 
-/* Midpoint sum of brightness, where seen() says so, times cosine with n, by azimuth and
- * sine of the altitude, over the whole horizontal plane's. */
+/* Sum of luminance times the cosine to n over the part of the sky for which seen() is
+ * true, by midpoints in azimuth and sine of altitude, divided by that of the horizontal
+ * plane. */
 static double sum_on(double b, struct pp_vec3 n, bool (*seen)(struct pp_vec3, double),
                      double angle)
 {
@@ -39,7 +40,7 @@ static bool anything(struct pp_vec3 u, double angle)
     return true;
 }
 
-/* Above a skyline across x, and below a plane that rises from the y axis. */
+/* True above a skyline parallel to x. */
 static bool over_skyline(struct pp_vec3 u, double angle)
 {
     return atan2(u.z, u.x) > angle;
@@ -50,7 +51,7 @@ static bool below_plane(struct pp_vec3 u, double angle)
     return atan2(u.z, u.x) < angle;
 }
 
-/* On paper: pi Lz (1 + 2b/3)/(1 + b), 7 pi/9 of Lz for b = 2, pi for 0, 5 pi/6 for 1. */
+/* By hand: pi Lz (1 + 2b/3)/(1 + b) is 7 pi/9 Lz for b = 2, pi for 0, 5 pi/6 for 1. */
 static void zenith_over_horizontal_illuminance(void **state)
 {
     (void)state;
@@ -116,7 +117,7 @@ static void a_skyline_and_its_light_are_each_others_inverse(void **state)
     for (int i = 0; i < GRADATIONS; i++) {
         double b = gradations[i];
         for (double deg = 0.5; deg < 85.0; deg += 3.7)
-            /* asin loses digits towards 90 degrees */
+            /* asin is less accurate near 90 degrees */
             assert_near(
                 pp_graded_sky_skyline(b, pp_graded_sky_over_skyline(b, deg * PP_RAD)),
                 deg * PP_RAD, 1e-13);

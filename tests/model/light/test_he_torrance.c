@@ -1,5 +1,5 @@
-/* test_he_torrance.c - the physical model of rough surfaces against given values, its
- * limits, and both directions of light. */
+/* test_he_torrance.c - the physical model of rough surfaces compared with given values
+ * and its limits, and its reciprocity. */
 #include "model/light/rough/he_torrance.h"
 
 #include "tests/lib/near.h"
@@ -16,10 +16,10 @@ static struct pp_he_torrance_direction over(const struct pp_he_torrance *surface
     return pp_he_torrance_towards(to, surface->roughness, surface->correlation);
 }
 
-/* From a table that was calculated by another program, in which Radiance's He.cal with
- * tightened tolerances agreed to 6e-6. n, k, wavelength, s0, T (micrometres), the tilts
- * of incidence and exit and the azimuth between them (0: the mirror side), s, g, S1 S1,
- * F and the directional diffuse part; 8 digits. */
+/* A table calculated by another program, with which Radiance's He.cal, with tighter
+ * tolerances, agreed to 6e-6: n, k, wavelength, s0, T (micrometres), the tilts of
+ * incidence and exit and the azimuth between them (0: the mirror side), s, g, S1 S1, F
+ * and the directional diffuse part; 8 digits. */
 static const double given[][13] = {
     {0.62, 5.47, 0.45, 0.05, 3.0, 30, 20, 0, 0.05, 1.5891855, 1, 0.92350429,
      0.41389778},
@@ -66,8 +66,9 @@ static void rough_surfaces_reflect_as_given(void **state)
     }
 }
 
-/* At normal incidence ((n - 1)^2 + k^2) / ((n + 1)^2 + k^2), at grazing incidence 1; no
- * p-polarised light at Brewster's angle, where s has ((n^2 - 1)/(n^2 + 1))^2. */
+/* At normal incidence ((n - 1)^2 + k^2) / ((n + 1)^2 + k^2), at grazing incidence 1. At
+ * Brewster's angle no p-polarised light is reflected, and s-polarised light by ((n^2 -
+ * 1)/(n^2 + 1))^2. */
 static void a_smooth_surface_reflects_by_fresnel(void **state)
 {
     (void)state;
@@ -86,8 +87,8 @@ static void a_smooth_surface_reflects_by_fresnel(void **state)
     assert_true(pp_he_torrance_diffuse(&smooth, &in, &out) < 1e-6);
 }
 
-/* g = 3,540: no spike, and Cook and Torrance's facets with Beckmann's slopes of m = 2
- * s0/T. */
+/* g = 3,540: no spike, and the facets of Cook and Torrance with Beckmann's slopes of m
+ * = 2 s0/T. */
 static void a_very_rough_surface_consists_of_facets(void **state)
 {
     (void)state;
@@ -103,8 +104,8 @@ static void a_very_rough_surface_consists_of_facets(void **state)
     assert_true(pp_he_torrance_spike(&rough, &in) < 1e-100);
 }
 
-/* Term by term, from 1 on: the largest terms alone are added, and if there are many,
- * only some of them. */
+/* Compared with the sum of all terms from 1 on; the program only adds the largest
+ * terms, and if there are many of them, only some. */
 static void the_series_is_the_sum_of_its_terms(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* test_material.c - materials by name, and skies as Radiance's files write them. */
+/* test_material.c - materials by name, and skies as in Radiance files. */
 #include "model/light/material.h"
 
 #include <string.h>
@@ -8,8 +8,8 @@
 #include "model/room/surface_materials.h"
 #include "tests/lib/room_of.h"
 
-/* Whatever its hue and gloss, what a hand method takes is the table's reflectance, and
- * no channel gives back more than it gets. */
+/* For any hue and gloss, the reflectance used by hand methods is that of the table, and
+ * no channel reflects more light than it receives. */
 static void every_finish_is_a_material_of_its_reflectance(void **state)
 {
     (void)state;
@@ -23,7 +23,7 @@ static void every_finish_is_a_material_of_its_reflectance(void **state)
         assert_near(pp_material_reflectance(&material), finish->reflectance, 1e-12);
         glossy += !pp_rgb_is_black(material.gloss);
         coloured += material.diffuse.r != material.diffuse.b;
-        /* Darkened, as a design may be, it keeps its ways. */
+        /* With another reflectance, hue and gloss stay the same. */
         material = pp_material_finish(finish, finish->reflectance / 2.0);
         assert_near(pp_material_reflectance(&material), finish->reflectance / 2.0,
                     1e-12);
@@ -53,7 +53,7 @@ static void hand_methods_see_gloss_as_reflectance_and_glass_as_a_tenth(void **st
     assert_near(pp_material_reflectance(&material), 0.1, 0.0);
 }
 
-/* A diffusing pane is a translucent sheet of its hemispherical transmittance. */
+/* A diffusing pane is a translucent material with its hemispherical transmittance. */
 static void a_diffusing_glazing_is_translucent(void **state)
 {
     (void)state;
@@ -65,7 +65,8 @@ static void a_diffusing_glazing_is_translucent(void **state)
     assert_int_equal(pp_material_check(&sheet, NULL), PP_OK);
 }
 
-/* A frame is painted as its wall is, on either side: of 0.3 of the opening's area. */
+/* A frame has the reflectance of the wall on the same side: 0.3 of the opening's
+ * area. */
 static void a_frame_reflects_as_the_wall_of_its_side(void **state)
 {
     (void)state;
@@ -81,8 +82,9 @@ static void a_frame_reflects_as_the_wall_of_its_side(void **state)
     pp_world_destroy(world);
 }
 
-/* The tracer has the pane as a material, radiosity as two shares. Curtains and dirt stop
- * what passes, the frame what is mirrored, too. Tolerance: a few products of doubles. */
+/* The tracer treats the pane as a material, radiosity as two shares. Curtains and dirt
+ * reduce transmitted light; the frame also reduces mirrored light. Tolerance: rounding
+ * of a few products. */
 static void radiosity_and_tracer_have_one_pane(void **state)
 {
     (void)state;
@@ -109,7 +111,7 @@ static void radiosity_and_tracer_have_one_pane(void **state)
     pp_world_destroy(world);
 }
 
-/* Worked out beside the program, in another language, from the printed formulae. */
+/* Calculated independently from the printed formulae. */
 static void skies_have_the_radiances_that_gensky_means(void **state)
 {
     (void)state;
@@ -129,14 +131,14 @@ static void skies_have_the_radiances_that_gensky_means(void **state)
                         expected[type - 1][0], 1e-12);
         assert_relative(pp_scene_description_pattern_value(&sky, level),
                         expected[type - 1][1], 1e-12);
-        /* Straight down there is only ground. */
+        /* Directly below is only ground. */
         assert_relative(
             pp_scene_description_pattern_value(&sky, pp_vec(0.0, 0.0, -1.0)), 3.0,
             1e-12);
     }
 }
 
-/* In the same way, from the formula of perezlum.cal. */
+/* Calculated independently from the formula of perezlum.cal. */
 static void a_sky_of_gendaylit_has_its_radiances(void **state)
 {
     (void)state;

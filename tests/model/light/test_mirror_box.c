@@ -1,12 +1,13 @@
-/* test_mirror_box.c - the sky of a box of mirrors against its limits and against rays that
- * are followed through it. */
+/* test_mirror_box.c - the sky in a box of mirrors compared with its limits and with
+ * rays followed through the box. */
 #include "model/light/mirror_box.h"
 
 #include "model/geometry/vec.h"
 #include "tests/lib/near.h"
 
-/* Perfect mirrors show an endless ceiling: a uniform sky, whose horizontal illuminance is
- * pi L, and over which the overcast sky has 9/7 at the zenith and 3/7 at the horizon. */
+/* Perfect mirrors show an infinite ceiling: a uniform sky with a horizontal illuminance
+ * of pi L. Relative to this sky the overcast sky has 9/7 at the zenith and 3/7 at the
+ * horizon. */
 static void perfect_mirrors_make_a_uniform_sky(void **state)
 {
     (void)state;
@@ -17,8 +18,9 @@ static void perfect_mirrors_make_a_uniform_sky(void **state)
     assert_near(pp_mirror_box_correction(&box, 1e-9), 3.0 / 7.0, 1e-5);
 }
 
-/* A ray from a random place is followed from mirror to mirror until it is as high as the
- * ceiling; fractional parts of multiples of irrational numbers are places spread evenly. */
+/* Follows rays from evenly spread starting points from mirror to mirror until they
+ * reach the height of the ceiling. The points are fractional parts of multiples of
+ * irrational numbers. */
 static double followed(const struct pp_mirror_box *box, double altitude)
 {
     enum { RAYS = 40000 };
@@ -52,7 +54,7 @@ static double followed(const struct pp_mirror_box *box, double altitude)
     return sum / RAYS;
 }
 
-/* Some 40,000 places spread evenly are good to three digits. */
+/* About 40,000 evenly spread points are accurate to three digits. */
 static void luminances_are_those_of_rays_that_are_followed(void **state)
 {
     (void)state;
@@ -76,7 +78,8 @@ static void the_box_is_darker_towards_the_horizon_and_needs_more_correction(
         before = now;
     }
     assert_near(pp_mirror_box_luminance(&box, 0.5 * PP_PI), 1.0, 1e-12);
-    /* Too dark low, too bright half way up: more than 1 at 3 degrees, less at 30. */
+    /* The box is too dark at low altitudes and too bright halfway up: more than 1 at 3
+     * degrees, less at 30. */
     assert_true(pp_mirror_box_correction(&box, 3.0 * PP_RAD) > 1.5);
     assert_true(pp_mirror_box_correction(&box, 30.0 * PP_RAD) < 1.0);
 }

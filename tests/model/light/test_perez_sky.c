@@ -1,4 +1,4 @@
-/* The Perez sky of an hour. */
+/* test_perez_sky.c - the Perez sky of an hour. */
 #include "tests/lib/near.h"
 
 #include "model/light/perez_sky.h"
@@ -17,14 +17,15 @@ static struct pp_perez_sky sky_of(double altitude_deg, double bearing_deg,
         .direct_w_m2 = direct_w_m2,
         .diffuse_w_m2 = diffuse_w_m2,
         .sun = toward(altitude_deg, bearing_deg),
-        .sun_distance_au = 1.0 / sqrt(1.03502), /* of gendaylit -ang */
+        .sun_distance_au = 1.0 / sqrt(1.03502), /* as in gendaylit -ang */
         .dew_point_c = 10.97};
     return pp_perez_sky_of(&conditions);
 }
 
-/* One sky in each clearness bin, as Radiance's gendaylit 2.6 prints a to e (six digits,
- * -O 2 -ang), and its efficacies and relative luminances (1/sr) by an independent program
- * that normalises to 3e-4: at the centres of Tregenza's patches 1, 85 and 145. */
+/* One sky in each clearness bin: a to e as printed by Radiance's gendaylit 2.6 (six
+ * digits, -O 2 -ang), and efficacies and relative luminances (1/sr) by an independent
+ * program that normalises to 3e-4, at the centres of Tregenza's patches 1, 85 and
+ * 145. */
 static const struct {
     double altitude_deg, bearing_deg, direct_w_m2, diffuse_w_m2;
     double a, b, c, d, e, diffuse_lx, direct_lx, first, middle, zenith;
@@ -87,7 +88,7 @@ static void its_luminances_are_those_of_another_program(void **state)
     }
 }
 
-/* The relative sky is integrated by another quadrature, of model/light/sky.c. */
+/* The relative sky is integrated by another quadrature, in model/light/sky.c. */
 static void every_sky_gives_its_diffuse_illuminance(void **state)
 {
     (void)state;
@@ -107,7 +108,7 @@ static void every_sky_gives_its_diffuse_illuminance(void **state)
 static void a_sky_without_bound_at_the_horizon_is_limited(void **state)
 {
     (void)state;
-    /* Bin 6, bright, sun at 2 degrees: b of the formula is above 0. */
+    /* Bin 6, bright, sun at 2 degrees: b of the formula is positive. */
     struct pp_perez_sky sky = sky_of(2.0, 90.0, 60.0, 44.0);
     assert_true(sky.limits & PP_PEREZ_B_POSITIVE || sky.b < 0.0);
     sky = sky_of(1.5, 90.0, 200.0, 40.0);
@@ -117,7 +118,8 @@ static void a_sky_without_bound_at_the_horizon_is_limited(void **state)
     }
 }
 
-/* Two hours of a weather file for Chicago, 1 and 3 January, by an independent program. */
+/* Two hours of a weather file for Chicago, 1 and 3 January, calculated by an
+ * independent program. */
 static void a_low_sun_has_its_own_air_mass(void **state)
 {
     (void)state;
@@ -162,7 +164,7 @@ static void direct_light_alone_leaves_a_black_sky(void **state)
     assert_near(sky.direct_lx + sky.diffuse_lx, 0.0, 0.0);
 }
 
-/* Zenith luminances by a quadrature outside the program. The overcast one is 9 Ed/(7
+/* Zenith luminances by an independent quadrature. That of the overcast sky is 9 Ed/(7
  * pi). */
 static void standard_skies_have_the_zenith_of_their_illuminance(void **state)
 {
@@ -193,8 +195,9 @@ static void standard_skies_have_the_zenith_of_their_illuminance(void **state)
     assert_near(pp_sky_on_plane(&relative, up), 1.0, 1e-9);
 }
 
-/* Ratios of the luminances at altitudes of 20, 5 and 90 degrees, 90, 15 and 0 degrees beside
- * a sun at 40 degrees, to that at 70 and 200 degrees: (3) of perez_sky.h worked out by awk. */
+/* Luminances at altitudes of 20, 5 and 90 degrees, at 90, 15 and 0 degrees from the
+ * bearing of a sun at 40 degrees, divided by that at 70 and 200 degrees: equation (3)
+ * of perez_sky.h, calculated with awk. */
 static void the_intermediate_sky_is_brighter_near_the_sun_and_overhead(void **state)
 {
     (void)state;

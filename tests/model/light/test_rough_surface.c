@@ -10,7 +10,7 @@ static struct pp_vec3 towards(double tilt_deg, double azimuth_deg)
     return pp_vec(sin(t) * cos(a), sin(t) * sin(a), cos(t));
 }
 
-/* A surface at one wavelength; k of 1e5: it reflects all. */
+/* A surface at one wavelength; with k of 1e5 it reflects all light. */
 static const struct pp_rough_surface *grey_surface(double s0, double t, double n,
                                                    double k, double diffuse)
 {
@@ -33,7 +33,7 @@ static double integrated(const struct pp_rough_surface *surface, double tilt_deg
     double sum = 0.0, step = PP_PI / 2.0 / TILTS;
     for (int i = 0; i < TILTS; i++)
         for (int k = 0; k < AZIMUTHS; k++) {
-            /* Denser near the mirror direction, azimuth pi: a = pi x^2. */
+            /* Denser near the mirror direction, azimuth pi: azimuth = pi x^2. */
             double x = (k + 0.5) / AZIMUTHS, t = (i + 0.5) * step;
             struct pp_vec3 out = towards(t / PP_RAD, 180.0 + 180.0 * x * x);
             sum += pp_rough_surface_value(surface, towards(tilt_deg, 0.0), out).g
@@ -42,8 +42,8 @@ static double integrated(const struct pp_rough_surface *surface, double tilt_deg
     return sum;
 }
 
-/* White furnaces: given albedos of the published model, 1 s0, T (micrometres), tilt,
- * published albedo. The last two reflect 2 % and 0.6 % too much. */
+/* White furnaces: n, k, s0, T (micrometres), tilt, and albedos of the published model.
+ * The last two surfaces reflect 2 % and 0.6 % too much in the published model. */
 static void no_white_furnace_gains_light(void **state)
 {
     (void)state;
@@ -64,7 +64,7 @@ static void no_white_furnace_gains_light(void **state)
     }
 }
 
-/* At angles between those of the tables, with a uniform diffuse part too. */
+/* At angles between those of the tables, also with a uniform diffuse part. */
 static void light_is_lost_to_roughness_but_never_gained(void **state)
 {
     (void)state;
@@ -84,7 +84,7 @@ static void light_is_lost_to_roughness_but_never_gained(void **state)
                         <= 1.0);
         assert_true(surface->lost >= 0.0);
     }
-    /* The published excess, and the loss of steeper facets. */
+    /* The excess of the published model, and the loss for steeper facets. */
     assert_near(grey_surface(0.05, 3.0, 1.0, 1e5, 0.0)->most, 1.0207, 2e-3);
     assert_near(grey_surface(0.28, 1.77, 1.0, 1e5, 0.0)->lost, 0.087, 3e-3);
     assert_near(grey_surface(3.0, 15.0, 1.0, 1e5, 0.0)->lost, 0.138, 3e-3);
@@ -101,7 +101,7 @@ static void light_takes_either_way(void **state)
     }
 }
 
-/* Where the published albedo is below 1 nothing changes. */
+/* Where the published albedo is below 1, it is not changed. */
 static void a_surface_within_the_bound_is_as_published(void **state)
 {
     (void)state;
@@ -116,8 +116,8 @@ static void a_surface_within_the_bound_is_as_published(void **state)
                     pp_he_torrance_spike(&model, &in), 1e-12);
 }
 
-/* n, k and wavelength by channel: red copper is brighter than blue. The radii of the
- * quadrature differ from those of a grey surface. */
+/* n, k and wavelength by channel: red copper reflects more red than blue light. The
+ * radii of the quadrature differ from those of a grey surface. */
 static void channels_have_their_own_optics(void **state)
 {
     (void)state;

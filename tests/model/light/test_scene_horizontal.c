@@ -1,11 +1,11 @@
-/* test_scene_horizontal.c - what a scene's skies give to the open ground. */
+/* test_scene_horizontal.c - illuminance of open ground from the skies of a scene. */
 #include "model/light/scene_horizontal.h"
 
 #include "tests/lib/near.h"
 
 static const struct pp_vec3 zenith = {0.0, 0.0, 1.0};
 
-/* Adds a distant source about `to`; of a pattern of the scene, or -1. */
+/* Adds a distant source about `to`, with a pattern of the scene; -1: none. */
 static void add_source(struct pp_scene_description *scene, struct pp_material material,
                        int pattern, struct pp_vec3 to, double half_angle_deg)
 {
@@ -20,9 +20,9 @@ static void add_source(struct pp_scene_description *scene, struct pp_material ma
     assert_int_equal(pp_scene_description_add_shape(scene, &shape, NULL, NULL), PP_OK);
 }
 
-/* Even light L from all of the sky is pi L on the ground; from a cap of half-angle a
- * about the zenith pi L sin^2 a, to the 1e-3 of the header. What comes from below, and the
- * sun, don't count. */
+/* A uniform sky of radiance L gives pi L on the ground; a cap with a half angle of a
+ * about the zenith gives pi L sin^2 a, to the 1e-3 stated in the header. Light from
+ * below and the sun do not count. */
 static void even_skies_give_pi_times_their_radiance(void **state)
 {
     (void)state;
@@ -54,8 +54,8 @@ static void without_a_sky_it_is_dark(void **state)
     pp_scene_description_clear(&scene);
 }
 
-/* The narrower of two sources in one direction is seen: a cap of 45 degrees, half of all
- * that counts, thrice as bright as the sky behind it. */
+/* The narrower of two sources in one direction is visible: a cap of 45 degrees, which
+ * has half of the weight, and is three times as bright as the sky behind it. */
 static void a_bright_cap_stands_before_the_sky(void **state)
 {
     (void)state;
@@ -67,9 +67,9 @@ static void a_bright_cap_stands_before_the_sky(void **state)
     pp_scene_description_clear(&scene);
 }
 
-/* Skylines stand before the building and not on the open ground: with one of 60 degrees
- * the sky gives what it gives without, its Eh; of a sky in two sources, of which the
- * brighter is a cap, the same. */
+/* Skylines are in front of the building, not on open ground: with one of 60 degrees the
+ * sky gives the same Eh as without. The same holds for a sky of two sources, of which
+ * the brighter is a cap. */
 static void skylines_take_nothing_of_the_open_ground(void **state)
 {
     (void)state;
@@ -97,7 +97,8 @@ static void skylines_take_nothing_of_the_open_ground(void **state)
             pp_scene_description_clear(&scene);
         }
         assert_near(found[1].g, found[0].g, 0.0);
-        /* Above 45 degrees is 3/7 (1/2 + 4/3 (1 - 8^-1/2)) of the overcast sky. */
+        /* The part above 45 degrees gives 3/7 (1/2 + 4/3 (1 - 8^-1/2)) of the overcast
+         * sky. */
         double above = 3.0 / 7.0 * (0.5 + 4.0 / 3.0 * (1.0 - pow(0.5, 1.5)));
         assert_relative(found[0].g, 1.3 * 5.3 * (k ? 1.0 + above : 1.0), 2e-3);
     }

@@ -3,7 +3,7 @@
 
 #include "tests/lib/near.h"
 
-/* Midpoint sum over a fine grid of the hemisphere: slow, plain, and independent. */
+/* Midpoint sum over a fine grid of the hemisphere: slow, simple and independent. */
 static double sum_on_plane(const struct pp_sky *sky, struct pp_vec3 n)
 {
     enum { ALTITUDES = 600, AZIMUTHS = 1200 };
@@ -63,8 +63,9 @@ static void vertical_sky_component_is_39_6_overcast_and_50_uniform(void **state)
     assert_near(pp_sky_on_plane(&uniform, pp_vec(0.6, 0.8, 0.0)), 0.5, 1e-15);
 }
 
-/* Ev/Eh with the sun at 60 degrees, facade away from and facing it, as computed for the
- * CIE 171 test cases by another program; three printed digits. */
+/* Ev/Eh with the sun at 60 degrees, for a façade facing away from the sun and facing
+ * it, as calculated for the CIE 171 test cases by another program; three printed
+ * digits. */
 static void vertical_to_horizontal_ratios_of_the_iso_skies(void **state)
 {
     (void)state;
@@ -95,8 +96,8 @@ static void tilted_planes_agree_with_a_plain_sum(void **state)
                         sum_on_plane(&skies[s], normals[n]), 3e-4);
 }
 
-/* Published doc-test values of two public codes: L/Lz at altitude 45 degrees opposite a
- * sun at zenith distance 30 degrees. */
+/* Published test values of two public programs: L/Lz at an altitude of 45 degrees
+ * opposite a sun at a zenith distance of 30 degrees. */
 static void iso_luminance_over_the_zeniths_as_published(void **state)
 {
     (void)state;
@@ -121,8 +122,8 @@ static void a_sky_that_is_not_one_is_refused(void **state)
     assert_non_null(strstr(err.message, "horizon"));
 }
 
-/* By gensky's formula, on paper: w = 1.01^10 = 1.104622 at the horizon, where the sky has
- * a third of the zenith's luminance and a ground of 0.2 has 0.155556 of it:
+/* By gensky's formula, by hand: w = 1.01^10 = 1.104622 at the horizon, where the sky
+ * has a third of the zenith's luminance and a ground of 0.2 has 0.155556 of it:
  * (1.104622/3 + 0.155556/1.104622)/(1.104622 + 1/1.104622) = 0.253260. */
 static void a_faded_sky_is_half_ground_at_the_horizon(void **state)
 {
@@ -131,12 +132,12 @@ static void a_faded_sky_is_half_ground_at_the_horizon(void **state)
     struct pp_vec3 zenith = pp_vec(0.0, 0.0, 1.0);
     double horizon = pp_sky_luminance(&sky, pp_vec(0.6, 0.8, 1e-9));
     assert_relative(horizon / pp_sky_luminance(&sky, zenith), 0.253260, 1e-5);
-    /* The loss at the horizon is little of the light on level ground. */
+    /* The loss near the horizon is a small part of the light on horizontal ground. */
     assert_near(pp_sky_on_plane(&sky, zenith), 1.0, 1e-8);
     assert_near(sum_on_plane(&sky, zenith), 1.0, 1e-4);
     double more = pp_sky_luminance(&sky, zenith) / pp_sky_luminance(&overcast, zenith);
     assert_true(more > 1.0 && more < 1.01);
-    /* And more of that on walls. */
+    /* Walls lose more. */
     struct pp_vec3 wall = pp_vec(0.0, 1.0, 0.0);
     assert_relative(pp_sky_on_plane(&sky, wall), sum_on_plane(&sky, wall), 1e-3);
     assert_true(pp_sky_on_plane(&sky, wall) < 0.99 * pp_sky_on_plane(&overcast, wall));

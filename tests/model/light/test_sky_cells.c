@@ -1,12 +1,12 @@
-/* test_sky_cells.c - cells of a sky are equal in what they give a level plane, and cover
- * it. */
+/* test_sky_cells.c - the cells of a sky contribute equally to a horizontal plane and
+ * cover the sky. */
 #include "model/light/sky_cells.h"
 
 #include <stdlib.h>
 
 #include "tests/lib/near.h"
 
-/* Light of a cell on a level plane over Eh, by the midpoint rule. */
+/* Light of a cell on a horizontal plane divided by Eh, by the midpoint rule. */
 static double light_of(const struct pp_sky *sky, const struct pp_sky_cell *cell)
 {
     enum { N = 40 };
@@ -35,7 +35,8 @@ static void cells_of_an_overcast_sky_are_equal_in_closed_form(void **state)
             double ring = (3.0 * (t * t - s * s) + 4.0 * (t * t * t - s * s * s)) / 7.0;
             assert_near(ring * (cells[i].to - cells[i].from) / (2.0 * PP_PI),
                         1.0 / counts[n], 1e-6);
-            /* Half of the light is above the centre, but for a cell at the zenith. */
+            /* Half of the light is above the centre, except for a cell at the
+             * zenith. */
             double m = sin(cells[i].altitude);
             if (cells[i].to - cells[i].from < 2.0 * PP_PI)
                 assert_near((3.0 * m * m + 4.0 * m * m * m) / 7.0 - 0.5 * ring,
@@ -45,7 +46,8 @@ static void cells_of_an_overcast_sky_are_equal_in_closed_form(void **state)
     }
 }
 
-/* The sun's aureole makes cells small. The midpoint rule is good to a thousandth. */
+/* The sun's aureole makes cells small. The midpoint rule is accurate to a
+ * thousandth. */
 static void cells_of_a_clear_sky_are_equal_by_quadrature(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* The patches of the sky. */
+/* test_sky_patches.c - the patches of the sky. */
 #include "tests/lib/near.h"
 
 #include "model/light/sky_patches.h"
@@ -20,8 +20,8 @@ static void together_they_are_the_hemisphere(void **state)
     assert_false(pp_sky_patches_init(&none, 144, 0.0));
 }
 
-/* Tregenza's first row has patches of 12 degrees by 12 and 0.0435 sr, his cap 6 degrees to
- * its edge and 0.0344 sr. */
+/* Tregenza's first row has patches of 12 by 12 degrees and 0.0435 sr; the cap has a
+ * radius of 6 degrees and 0.0344 sr. */
 static void they_are_those_of_tregenza(void **state)
 {
     (void)state;
@@ -47,7 +47,7 @@ static void a_centre_lies_in_its_patch(void **state)
     }
 }
 
-/* A room whose y axis points to the east sees the eastern patch along y. */
+/* In a room whose y axis points east, the eastern patch is along y. */
 static void they_turn_with_the_axes_of_the_room(void **state)
 {
     (void)state;

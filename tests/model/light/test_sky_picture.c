@@ -1,4 +1,5 @@
-/* test_sky_picture.c - photographed skies: light and shade of skies that are known. */
+/* test_sky_picture.c - photographed skies: light and shadow compared with known
+ * skies. */
 #include "model/light/photographs/sky_picture.h"
 
 #include "model/light/sky.h"
@@ -6,8 +7,8 @@
 
 #include <stdlib.h>
 
-/* A picture that looks at the zenith with north at its top, so that west is right; or a
- * latitude-longitude one, with north in its middle. */
+/* A picture that faces the zenith with north at its top, so that west is on the right;
+ * or a latitude-longitude picture with north in its middle. */
 struct lens {
     enum pp_sky_projection projection;
     double half_angle_rad;
@@ -20,7 +21,8 @@ static struct pp_vec3 direction_of(const struct pp_sky_frame *frame, struct pp_v
     return pp_vec_along(pp_vec_along(u, own.y, frame->up), own.z, frame->toward);
 }
 
-/* Samples of a sky at the centres of pixels; below the horizon and outside black. */
+/* Samples of a sky at the centres of pixels; black below the horizon and outside the
+ * circle. */
 static struct pp_sky_frame frame_of(const struct pp_sky *sky, struct lens lens,
                                     double factor)
 {
@@ -80,7 +82,8 @@ static const struct lens lenses[] = {{PP_SKY_EQUIDISTANT, PP_PI / 2.0, 256},
                                      {PP_SKY_HEMISPHERICAL, PP_PI / 2.0, 512},
                                      {PP_SKY_LATITUDE_LONGITUDE, PP_PI, 256}};
 
-/* Each wall by itself: a picture taken for its mirror image has east and west changed. */
+/* Each wall separately: if the picture were read mirrored, east and west would be
+ * exchanged. */
 static void a_picture_of_a_known_sky_lights_walls_as_that_sky(void **state)
 {
     (void)state;
@@ -117,7 +120,7 @@ static void luminance_between_pixels_is_that_of_the_sky(void **state)
     }
 }
 
-/* A room whose +y points east sees the sky's east where another sees its north. */
+/* A room whose +y points east has the sky's east where another room has its north. */
 static void north_turns_the_picture(void **state)
 {
     (void)state;
@@ -149,7 +152,7 @@ static void a_measured_illuminance_scales_the_pixels(void **state)
     free(picture.cells);
 }
 
-/* Two pictures of 190 degrees, to the zenith and to the nadir, show a sphere. */
+/* Two pictures of 190 degrees, facing the zenith and the nadir, show all directions. */
 static void two_opposite_pictures_show_all_directions(void **state)
 {
     (void)state;
@@ -173,7 +176,8 @@ static void two_opposite_pictures_show_all_directions(void **state)
     pp_sky_picture_release(picture);
 }
 
-/* Below the picture's horizon the sky goes on as bright, or is what is given. */
+/* Below the picture's horizon the sky continues with the same luminance, or has the
+ * given one. */
 static void a_horizon_is_filled_in_as_given(void **state)
 {
     (void)state;

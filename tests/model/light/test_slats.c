@@ -1,4 +1,4 @@
-/* test_slats.c - the light through blinds against a separate trace of rays, crossed
+/* test_slats.c - light through blinds compared with independent ray tracing, crossed
  * strings and limits. */
 #include "model/light/slats/slats.h"
 
@@ -24,9 +24,9 @@ static double sum_of(struct pp_slat_parts p)
     return p.straight + p.room_down + p.room_up + p.back_up + p.back_down;
 }
 
-/* Own trace of three million rays for each device, standard errors up to 5e-4: tilt in
- * degrees; incidence from `low` to `high`; straight, room down, room up, back up, back
- * down. */
+/* Independent ray tracing with three million rays for each device, standard errors up
+ * to 5e-4: tilt in degrees; incidence from `low` to `high`; direct, to the room
+ * downwards and upwards, back upwards and downwards. */
 static void parts_are_those_of_traced_rays(void **state)
 {
     (void)state;
@@ -97,8 +97,8 @@ static void parts_are_those_of_traced_rays(void **state)
     }
 }
 
-/* The same rays: w/s 1, horizontal, reflectance 0.5, light from 60 degrees below. Most
- * scattered light leaves between 0 and 60 degrees downwards. */
+/* The same rays: w/s 1, horizontal, reflectance 0.5, light from 60 degrees below the
+ * horizon. Most scattered light leaves between 0 and 60 degrees downwards. */
 static void scattered_light_leaves_by_direction_as_traced(void **state)
 {
     (void)state;
@@ -116,8 +116,8 @@ static void scattered_light_leaves_by_direction_as_traced(void **state)
     pp_slat_cell_destroy(cell);
 }
 
-/* Uniform light through flat slats: the crossed strings less the uncrossed ones,
- * (d1 + d2 - 2 w) / (2 s), with the diagonals d of a gap (Hottel). */
+/* Uniform light through flat slats: the crossed strings minus the uncrossed ones, (d1 +
+ * d2 - 2 w) / (2 s), with the diagonals d of a gap (Hottel). */
 static void diffuse_light_through_gaps_is_that_of_crossed_strings(void **state)
 {
     (void)state;
@@ -142,7 +142,7 @@ static void horizontal_light_passes_horizontal_flat_slats(void **state)
     assert_near(pp_slats_straight(&arc, 0.0), 0.9, 1e-12); /* 1 - rise/s */
 }
 
-/* Closed flat slats wider than their spacing are a wall. */
+/* Closed flat slats wider than their spacing act as a wall. */
 static void closed_slats_reflect_as_a_wall_and_pass_nothing(void **state)
 {
     (void)state;
@@ -169,7 +169,7 @@ static void white_slats_lose_nothing_and_black_ones_scatter_nothing(void **state
     }
 }
 
-/* Reciprocity: uniform light from outside and from the room passes alike. */
+/* Reciprocity: uniform light from outside and from the room is transmitted equally. */
 static void uniform_light_passes_alike_both_ways(void **state)
 {
     (void)state;
@@ -181,7 +181,7 @@ static void uniform_light_passes_alike_both_ways(void **state)
                 out.straight + out.back_down + out.back_up, 2e-4);
 }
 
-/* A blind upside down, with light from the opposite height. */
+/* A blind upside down, with light from the opposite altitude. */
 static void a_blind_upside_down_does_the_same_upside_down(void **state)
 {
     (void)state;
@@ -194,8 +194,9 @@ static void a_blind_upside_down_does_the_same_upside_down(void **state)
     assert_near(p.back_up, q.back_down, 1e-9);
 }
 
-/* Slats across the ray hide most, w / (s cos p): with a spacing of 1.2 widths they can
- * block light of 33.6 degrees and more. At w = s the cut-off is at t = 2 p - 90. */
+/* Slats perpendicular to the ray hide most light, w / (s cos p): with a spacing of 1.2
+ * widths they can block light from 33.6 degrees upwards. For w = s the cut-off is at t
+ * = 2 p - 90. */
 static void slats_turn_no_further_than_the_sun_requires(void **state)
 {
     (void)state;
@@ -212,9 +213,9 @@ static void slats_turn_no_further_than_the_sun_requires(void **state)
     assert_true(pp_slats_cut_off(&even, 60.0 * PP_RAD) == 0.0);
 }
 
-/* A beam can be blocked at some tilt if and only if cos p <= w/s; below, slats across the
- * ray let 1 - (w/s)/cos p pass. Another program left such slats at 0 degrees (EnergyPlus,
- * issue 2842). */
+/* A beam can be blocked at some tilt if and only if cos p <= w/s; otherwise slats
+ * perpendicular to the ray transmit 1 - (w/s)/cos p. Another program left such slats at
+ * 0 degrees (EnergyPlus, issue 2842). */
 static void slats_narrower_than_their_spacing_block_a_high_sun_only(void **state)
 {
     (void)state;

@@ -1,16 +1,16 @@
-/* Where the sun stands. */
+/* test_sun.c - the position of the sun. */
 #include "tests/lib/near.h"
 
 #include "model/light/sun.h"
 #include "model/geometry/vec.h"
 
-/* Within what sun.h promises. */
+/* Accuracy stated in sun.h. */
 static const double almanac = 0.01 * PP_RAD;
 
-/* The example of Reda and Andreas' solar position algorithm [RA04], table A5.1: 17
+/* Example of the solar position algorithm of Reda and Andreas [RA04], table A5.1: 17
  * October 2003, 12:30:30, zone -7, 39.742476 N, 105.1786 W; azimuth 194.34024, altitude
- * without refraction 39.872046 and declination -9.31434 degrees. It has parallax, of
- * 0.002 degrees. */
+ * without refraction 39.872046 and declination -9.31434 degrees. The example includes
+ * parallax, 0.002 degrees. */
 static void it_agrees_with_a_far_longer_series(void **state)
 {
     (void)state;
@@ -19,7 +19,8 @@ static void it_agrees_with_a_far_longer_series(void **state)
     assert_near(sun.altitude_rad, 39.872046 * PP_RAD, almanac);
     assert_near(sun.bearing_rad, 194.34024 * PP_RAD, almanac);
     assert_near(sun.declination_rad, -9.31434 * PP_RAD, almanac);
-    assert_near(sun.distance_au, 0.9965422974, 1e-4); /* the Almanac's own bound */
+    assert_near(sun.distance_au, 0.9965422974,
+                1e-4); /* accuracy stated by the Almanac */
 }
 
 /* Julian day 2451545.0 is noon of 1 January 2000; 2436116.31 the launch of Sputnik, 4
@@ -38,7 +39,7 @@ static void days_are_counted_from_noon_of_2000(void **state)
                 2.0, 0.0);
 }
 
-/* The highest altitude of a day, within some minutes of noon at Greenwich. */
+/* The highest altitude of a day, within a few minutes of noon at Greenwich. */
 static struct pp_sun at_noon(int month, int day, double latitude_rad)
 {
     struct pp_sun noon = {.altitude_rad = -PP_PI};
@@ -51,8 +52,8 @@ static struct pp_sun at_noon(int month, int day, double latitude_rad)
     return noon;
 }
 
-/* The equinox of March 2026 falls on the 20th, 14:46 UT: the declination at noon, 2.7
- * hours before, is 2.7 minutes of arc short of 0. */
+/* The equinox of March 2026 is on the 20th, 14:46 UT: at noon, 2.7 hours earlier, the
+ * declination is 2.7 minutes of arc below 0. */
 static void at_the_equinox_noon_is_a_right_angle_less_the_latitude(void **state)
 {
     (void)state;
@@ -62,7 +63,8 @@ static void at_the_equinox_noon_is_a_right_angle_less_the_latitude(void **state)
         double altitude = PP_PI / 2.0 - fabs(latitude);
         struct pp_sun sun = at_noon(3, 20, latitude);
         assert_near(sun.altitude_rad, altitude, 0.046 * PP_RAD + almanac);
-        /* South of the zenith from the north, north of it from the south. */
+        /* The sun is south of the zenith in the northern hemisphere, north of it in the
+         * southern. */
         assert_near(cos(sun.bearing_rad), latitude > 0.0 ? -1.0 : 1.0, 1e-3);
     }
 }
@@ -77,8 +79,9 @@ static void at_the_solstices_it_stands_over_the_tropics(void **state)
                 2.0 * almanac);
 }
 
-/* True noon at Greenwich comes 14.2 minutes after 12:00 on 11 February and 16.4 before
- * it on 3 November: the extremes of the equation of time, as almanacs print them. */
+/* True noon at Greenwich is 14.2 minutes after 12:00 on 11 February and 16.4 minutes
+ * before it on 3 November: the extremes of the equation of time, as printed in
+ * almanacs. */
 static void noon_runs_before_and_behind_the_clock(void **state)
 {
     (void)state;
@@ -90,13 +93,14 @@ static void noon_runs_before_and_behind_the_clock(void **state)
         double n =
             pp_sun_days_since_2000(2026, days[i].month, days[i].day, days[i].noon_h);
         struct pp_sun sun = pp_sun_at(n, 51.5 * PP_RAD, 0.0);
-        /* 0.1 minutes as printed are 0.025 degrees of hour angle, more of bearing. */
+        /* 0.1 minutes as printed are 0.025 degrees of hour angle, and a larger change
+         * of bearing. */
         assert_near(sun.bearing_rad, PP_PI, 0.06 * PP_RAD);
     }
 }
 
-/* ERFA's positions (IAU 2006/2000A) of UTC instants, seen from the surface of the earth,
- * without refraction. */
+/* Positions by ERFA (IAU 2006/2000A) at UTC instants, seen from the surface of the
+ * earth, without refraction. */
 static void it_agrees_with_erfa_from_1950_to_2050(void **state)
 {
     (void)state;
@@ -126,8 +130,8 @@ static void it_agrees_with_erfa_from_1950_to_2050(void **state)
     }
 }
 
-/* Turning the earth by 15 degrees or the clock by an hour is the same but for what the
- * sun moves on its own in that hour: a degree a day. */
+/* A change of longitude by 15 degrees or of the clock by an hour is the same, except
+ * for the sun's own motion in that hour, a degree a day. */
 static void an_hour_is_fifteen_degrees(void **state)
 {
     (void)state;

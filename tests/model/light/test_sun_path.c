@@ -1,5 +1,5 @@
-/* test_sun_path.c - the sun's paths against what is known of days, and against the almanac's
- * sun. */
+/* test_sun_path.c - sun paths compared with known days, and with the calculated
+ * position of the sun. */
 #include "model/light/sun_path.h"
 
 #include "model/light/sun.h"
@@ -17,7 +17,7 @@ static void the_sun_rises_due_east_at_the_equinox_and_stands_at_noon_where_it_mu
     struct pp_vec3 noon = pp_sun_path_direction(phi, 23.44 * PP_RAD, 0.0);
     assert_near(asin(noon.z) / PP_RAD, 61.94, 1e-9);
     assert_true(noon.y < 0.0 && fabs(noon.x) < 1e-12);
-    /* In the south of the earth in the north. */
+    /* In the southern hemisphere the noon sun is in the north. */
     assert_true(pp_sun_path_direction(-phi, 0.0, 0.0).y > 0.0);
 }
 
@@ -28,7 +28,7 @@ static void days_are_twelve_hours_at_the_equator_and_endless_beyond_the_circle(
     assert_near(pp_sun_path_sunset(0.0, 23.0 * PP_RAD), 0.5 * PP_PI, 1e-12);
     assert_near(pp_sun_path_sunset(70.0 * PP_RAD, 23.0 * PP_RAD), PP_PI, 0.0);
     assert_near(pp_sun_path_sunset(70.0 * PP_RAD, -23.0 * PP_RAD), 0.0, 0.0);
-    /* London's longest day lasts 16 h 24 min between true horizons. */
+    /* London's longest day lasts 16 h 24 min for a true horizon. */
     assert_near(pp_sun_path_sunset(51.5 * PP_RAD, 23.44 * PP_RAD) / PP_RAD * 2.0 / 15.0,
                 16.4, 0.02);
 }
@@ -39,14 +39,14 @@ static void declinations_are_those_of_the_seasons(void **state)
     assert_near(pp_sun_path_declination(6, 21) / PP_RAD, 23.44, 0.02);
     assert_near(pp_sun_path_declination(12, 21) / PP_RAD, -23.44, 0.02);
     assert_near(pp_sun_path_declination(3, 20) / PP_RAD, 0.0, 0.3);
-    /* Months that share a path on overlays. */
+    /* Pairs of months share a path on overlays. */
     for (int month = 1; month < 6; month++)
         assert_near(pp_sun_path_declination(month, 21) / PP_RAD,
                     pp_sun_path_declination(12 - month, 21) / PP_RAD, 0.6);
 }
 
-/* At one moment and longitude the hour angle is the same at all latitudes; at the equator
- * it shows in the plane of east and zenith. The almanac's sun has a
+/* At one moment and longitude the hour angle is the same at all latitudes; at the
+ * equator it is the angle in the plane of east and zenith. The calculated sun has a
  * parallax of up to 4.3e-5, the path has none. */
 static void the_path_is_the_almanacs_at_other_latitudes(void **state)
 {

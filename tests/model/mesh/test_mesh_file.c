@@ -1,5 +1,5 @@
-/* test_mesh_file.c - files of triangles, as other programs write them and as they should
- * not be. */
+/* test_mesh_file.c - files of triangles, as written by other programs, and with
+ * errors. */
 #include "model/mesh/mesh_file.h"
 
 #include <stdlib.h>
@@ -18,7 +18,7 @@ static enum pp_status parse(struct pp_mesh_triangles *mesh, const char *text,
     return status;
 }
 
-/* Area of the triangles (in the file's unit), and the height of the highest. */
+/* Area of the triangles (in the file's unit), and the height of the highest point. */
 static double area_of(const struct pp_mesh_triangles *mesh, double *top)
 {
     double area = 0.0;
@@ -45,8 +45,9 @@ static void assert_surface(const char *text, const char *name, double area, doub
     pp_mesh_triangles_clear(&mesh);
 }
 
-/* 2.3 by 1.7, at z = 3.1, as Blender and as SketchUp write it: with normals and texture,
- * CR LF, groups, and indices that count back; a notch of 0.8 by 0.7 makes it an L. */
+/* 2.3 by 1.7, at z = 3.1, as written by Blender and by SketchUp: with normals and
+ * texture, CR LF, groups, and negative indices. A notch of 0.8 by 0.7 makes it an
+ * L-shape. */
 static void outlines_of_obj_keep_their_area(void **state)
 {
     (void)state;
@@ -75,12 +76,13 @@ static void outlines_of_dxf_are_raised_by_their_thickness(void **state)
 {
     (void)state;
     assert_surface(DXF(RAISED), "a.dxf", raised_m2, 3.5);
-    /* A line on the ground hides nothing; one of R12, open, is a wall. */
+    /* A line on the ground hides nothing; an open line with a thickness (R12) is a
+     * wall. */
     assert_surface(DXF("0\nLINE\n10\n0\n20\n0\n11\n9\n21\n9\n"
                        "0\nPOLYLINE\n66\n1\n39\n3.1\n70\n0\n0\nVERTEX\n10\n0\n20\n0\n"
                        "0\nVERTEX\n10\n2.3\n20\n0\n0\nSEQEND\n"),
                    "r12.dxf", 2.3 * 3.1, 3.1);
-    /* The entity's own z is the file's y there, and its y the file's z. */
+    /* There the entity's own z is the file's y, and its y the file's z. */
     assert_surface(DXF(RAISED "210\n0\n220\n-1\n230\n0\n"), "side.dxf", raised_m2, 1.7);
 }
 
@@ -97,8 +99,8 @@ static void faces_of_dxf_keep_their_area(void **state)
         "faces.dxf", 2.0 * 3.0 + 0.5, 2.0);
 }
 
-/* A block of one house, twice as wide and deep, turned: its floor and lid are four times
- * as large, its walls twice. */
+/* A block with one house, twice as wide and deep, rotated: its floor and lid have four
+ * times the area, its walls twice. */
 static void a_block_of_dxf_is_scaled_and_turned(void **state)
 {
     (void)state;
@@ -113,7 +115,7 @@ static void a_block_of_dxf_is_scaled_and_turned(void **state)
     pp_mesh_triangles_clear(&mesh);
 }
 
-/* A mark of UTF-8 is no part of the first statement. */
+/* The byte order mark of UTF-8 is not part of the first statement. */
 static void a_byte_order_mark_is_passed_over(void **state)
 {
     (void)state;
@@ -128,7 +130,7 @@ static void a_byte_order_mark_is_passed_over(void **state)
 
 #define POINT(x, y, z) "10\n" #x "\n20\n" #y "\n30\n" #z "\n"
 
-/* A square and a triangle on one edge, by their list. */
+/* A square and a triangle with a common edge, by indices. */
 static void a_mesh_of_dxf_has_its_faces(void **state)
 {
     (void)state;
@@ -140,8 +142,8 @@ static void a_mesh_of_dxf_has_its_faces(void **state)
         "mesh.dxf", 4.0 + 2.0, 1.0);
 }
 
-/* Its corners run across; a box of 2 x 1 x 3 m has 2 (2 + 2 x 3 + 1 x 3) m2. One without
- * a thickness is a figure on the ground, and hides nothing. */
+/* The corners of a SOLID are in zigzag order. A box of 2 x 1 x 3 m has 2 (2 + 2 x 3 + 1
+ * x 3) m2. A figure on the ground without thickness hides nothing. */
 static void a_solid_of_dxf_is_raised(void **state)
 {
     (void)state;
@@ -151,8 +153,8 @@ static void a_solid_of_dxf_is_raised(void **state)
                    "solid.dxf", 2.0 * (2.0 + 6.0 + 3.0), 3.0);
 }
 
-/* Two columns and three rows of a triangle of 3 m2, turned by a right angle: the columns
- * go up y. */
+/* Two columns and three rows of a triangle of 3 m2, rotated by a right angle: the
+ * columns follow y. */
 static void an_insert_repeats_its_block(void **state)
 {
     (void)state;
@@ -238,7 +240,8 @@ static void wrong_files_are_refused_by_line(void **state)
     }
 }
 
-/* Cut off anywhere, a file is read or refused, and never read beyond its end. */
+/* A file truncated at any position is read or rejected, and never read beyond its
+ * end. */
 static void a_file_may_break_off_anywhere(void **state)
 {
     (void)state;

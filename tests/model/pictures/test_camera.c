@@ -1,4 +1,4 @@
-/* Views: which ray goes through which place of the picture. */
+/* test_camera.c - views: the ray through each position of the picture. */
 #include "tests/lib/near.h"
 
 #include <stdio.h>
@@ -24,8 +24,8 @@ static void assert_vec(struct pp_vec3 v, double x, double y, double z)
     assert_near(v.z, z, 1e-12);
 }
 
-/* North is ahead, so east is to the right; a right angle of view has its edges at 45
- * degrees. */
+/* Facing north, east is on the right; an angle of view of 90 degrees has its edges at
+ * 45 degrees. */
 static void the_right_of_a_picture_is_the_right_of_who_looks(void **state)
 {
     (void)state;
@@ -41,7 +41,7 @@ static void the_right_of_a_picture_is_the_right_of_who_looks(void **state)
     assert_vec(to, sqrt(0.5), sqrt(0.5), 0.0);
     assert_true(pp_camera_ray(&camera, 0.5, 0.0, &from, &to));
     assert_vec(to, 0.0, sqrt(0.5), sqrt(0.5));
-    /* A plan: from above, north is up in the picture. */
+    /* A plan, seen from above: north is up in the picture. */
     assert_int_equal(pp_camera_set(&camera, PP_VIEW_PARALLEL, pp_vec(2.0, 3.0, 9.0),
                                    pp_vec(0.0, 0.0, -1.0), north, 4.0, 6.0, NULL),
                      PP_OK);
@@ -76,8 +76,9 @@ static void a_point_is_seen_where_its_ray_goes(void **state)
             }
 }
 
-/* 45 degrees off lie at sin 45 of the half width where illuminance counts, and at half
- * of it where angles do; beyond the circle there is nothing. */
+/* Directions at 45 degrees are at sin 45 of the half width in a projection by
+ * illuminance, and at half of it in a projection by angle; beyond the circle there is
+ * nothing. */
 static void a_fisheye_shows_a_circle(void **state)
 {
     (void)state;
@@ -100,8 +101,8 @@ static void a_fisheye_shows_a_circle(void **state)
     assert_true(to.z < 0.0);
 }
 
-/* The edge of a view of less than a hemisphere is half the angle off, and the way there
- * goes by the sine. */
+/* The edge of a view of less than a hemisphere is at half of the angle, and the
+ * positions between follow the sine. */
 static void a_narrow_fisheye_keeps_to_its_angle(void **state)
 {
     (void)state;

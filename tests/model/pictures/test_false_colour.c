@@ -1,4 +1,4 @@
-/* test_false_colour.c - numbers as colours, and the lines between them. */
+/* test_false_colour.c - numbers as colours, and lines of equal value. */
 #include "model/pictures/false_colour.h"
 
 #include "model/pictures/iso_lines.h"
@@ -16,7 +16,7 @@ static struct pp_picture picture_of(int width, int height,
     return picture;
 }
 
-/* Light of a byte of sRGB to the eye: relative luminance by [IEC61966]. */
+/* Relative luminance of an sRGB colour [IEC61966]. */
 static double light_of(const unsigned char rgb[3])
 {
     static const double weights[3] = {0.2126, 0.7152, 0.0722};
@@ -44,8 +44,8 @@ static void colours_grow_lighter_all_the_way(void **state)
     assert_true(light_of(rgb) > 0.7 && light_of(rgb) < 0.97);
 }
 
-/* [GREEN11] eq. 2 by hand at the middle, lambda 0.5: phi = 2 pi (1/6 + 1 - 0.75) =
- * 150 degrees, a = 1/8; red = 0.5 + 0.125 (0.14861 * 0.8660 + 1.78277 * 0.5) = 0.6275,
+/* [GREEN11] eq. 2 by hand in the middle, lambda 0.5: phi = 2 pi (1/6 + 1 - 0.75) = 150
+ * degrees, a = 1/8; red = 0.5 + 0.125 (0.14861 * 0.8660 + 1.78277 * 0.5) = 0.6275,
  * green = 0.5 + 0.125 (0.29227 * 0.8660 - 0.90649 * 0.5) = 0.4750, blue = 0.5 - 0.125 *
  * 1.97294 * 0.8660 = 0.2864. */
 static void the_middle_has_the_published_colour(void **state)
@@ -69,7 +69,7 @@ static void a_scale_ends_at_round_numbers(void **state)
     (void)state;
     struct pp_picture picture = picture_of(200, 5, ramp);
     pp_picture_at(&picture, 7, 1)[0] = pp_picture_at(&picture, 7, 1)[1] = NAN;
-    pp_picture_at(&picture, 9, 1)[1] = 1e9f; /* one glaring pixel of 1000 */
+    pp_picture_at(&picture, 9, 1)[1] = 1e9f; /* one very bright pixel of 1000 */
     struct pp_false_colour_scale scale;
     assert_int_equal(pp_false_colour_scale_fit(&scale, &picture, 2.0, true, NULL),
                      PP_OK);
@@ -128,7 +128,8 @@ static void lines_of_a_hill_are_circles(void **state)
     struct pp_picture picture = picture_of(120, 100, hill);
     struct pp_curve_list lines = {0};
     const double level = 1.0;
-    /* A step across a pixel is straight to 1/8 of its curvature: under 0.02 pixels. */
+    /* A chord across a pixel deviates from the curve by 1/8 of its curvature: below
+     * 0.02 pixels. */
     assert_int_equal(
         pp_iso_lines(&lines, &picture, NULL, 1.0, &level, 1, 0.0, 3.0, NULL), PP_OK);
     assert_int_equal(lines.count, 1);
@@ -138,12 +139,12 @@ static void lines_of_a_hill_are_circles(void **state)
         assert_near(hypot(lines.list[0].xy[i][0] - 60.2, lines.list[0].xy[i][1] - 50.9),
                     31.7, 0.02);
     assert_relative(pp_curve_length(&lines.list[0]), 2.0 * M_PI * 31.7, 0.002);
-    /* Brighter on the left as it is seen, y down: clockwise about the origin's sense.
-     */
+    /* The brighter side is on the left as seen, with y down: clockwise in the usual
+     * orientation. */
     assert_relative(pp_curve_list_area(&lines), -M_PI * 31.7 * 31.7, 0.003);
     pp_curve_list_clear(&lines);
 
-    /* In another unit it is the same line. */
+    /* In another unit the line is the same. */
     const double per_cent = 100.0;
     struct pp_curve_list again = {0};
     assert_int_equal(
@@ -157,7 +158,7 @@ static void lines_of_a_hill_are_circles(void **state)
     pp_curve_list_clear(&again);
     pp_curve_list_clear(&lines);
 
-    /* A line cut by the picture's edge is open and keeps inside. */
+    /* A line that the picture's edge cuts is open and stays inside. */
     const double low = exp(1.0 - 4.0);
     assert_int_equal(pp_iso_lines(&lines, &picture, NULL, 1.0, &low, 1, 0.0, 3.0, NULL),
                      PP_OK);
@@ -194,7 +195,7 @@ static void lines_end_where_surfaces_meet(void **state)
         assert_int_equal(pp_iso_lines(&lines, &picture, known ? tags : NULL, 1.0,
                                       levels, 2, 1.0, 3.0, NULL),
                          PP_OK);
-        /* 1.02 runs across the darker wall at y = 20, and there is none of 1.5. */
+        /* 1.02 crosses the darker wall at y = 20; there is no line for 1.5. */
         assert_int_equal(lines.count, 1);
         assert_near(lines.list[0].level, 1.02, 0.0);
         for (int i = 0; i < lines.list[0].count; i++) {
@@ -206,7 +207,7 @@ static void lines_end_where_surfaces_meet(void **state)
     pp_picture_clear(&picture);
 }
 
-/* Where there is nothing (outside a fisheye, on glass) lines end. */
+/* Lines end where there is no value (outside a fisheye, on glass). */
 static double nothing_right(double x, double y)
 {
     return x < 30.0 ? 1.0 + 0.001 * y : NAN;
@@ -221,7 +222,8 @@ static void lines_end_where_there_is_nothing(void **state)
     assert_int_equal(
         pp_iso_lines(&lines, &picture, NULL, 1.0, &level, 1, 1.0, 3.0, NULL), PP_OK);
     assert_int_equal(lines.count, 1);
-    assert_true(pp_curve_length(&lines.list[0]) > 27.0); /* to its last pixels */
+    assert_true(pp_curve_length(&lines.list[0])
+                > 27.0); /* up to the last pixels with values */
     for (int i = 0; i < lines.list[0].count; i++) {
         assert_near(lines.list[0].xy[i][1], 20.0, 0.05);
         assert_true(lines.list[0].xy[i][0] < 30.0);
@@ -230,10 +232,10 @@ static void lines_end_where_there_is_nothing(void **state)
     pp_picture_clear(&picture);
 }
 
-/* Four pixels, the bright ones across, 1.2 and 1.0: on the logarithms their middle is
- * sqrt(1.2) = 1.0954. What is brighter than 1.09 runs through it, and its lines go round
- * the dark pixels; what is brighter than 1.10 does not, and they go round the bright
- * ones. */
+/* Four pixels with the diagonals 1.2 and 1.0: on a logarithmic scale their middle is
+ * sqrt(1.2) = 1.0954. A region brighter than 1.09 includes the middle, and its lines
+ * surround the dark pixels. A region brighter than 1.10 does not, and its lines
+ * surround the bright pixels. */
 static double saddle(double x, double y)
 {
     return (x < 1.0) == (y < 1.0) ? 1.2 : 1.0;
@@ -257,7 +259,7 @@ static void a_saddle_is_parted_as_its_middle_lies(void **state)
             pp_iso_lines(&lines, &picture, NULL, 1.0, &level, 1, 0.0, 0.0, NULL),
             PP_OK);
         assert_int_equal(lines.count, 2);
-        /* Each goes round a pixel, as far from its middle both ways. */
+        /* Each line surrounds one pixel, at the same distance in both directions. */
         double off = k < 2 ? log_share : 1.0 - log_share;
         bool on_first_diagonal = across == (k < 2);
         for (int i = 0; i < 2; i++) {
@@ -273,8 +275,8 @@ static void a_saddle_is_parted_as_its_middle_lies(void **state)
     }
 }
 
-/* A dark wall beside a window: the wall's last pixels have some of the window in them,
- * of which there is no line along the window's edge. */
+/* A dark wall beside a window: the last pixels of the wall contain a part of the
+ * window, but must not cause a line along the edge of the window. */
 static double mixture(double x, double y)
 {
     return x < 29.0 ? 1.0 + 0.001 * y : x < 30.0 ? 3.0 + 2.0 * cos(0.3 * y) : 9.0;
@@ -299,7 +301,7 @@ static void pixels_of_two_surfaces_draw_no_line(void **state)
     pp_picture_clear(&picture);
 }
 
-/* Noise of 5 % on a slope: with smoothing one line stays one. */
+/* Noise of 5 % on a slope: with smoothing a line is not broken up. */
 static double noisy(double x, double y)
 {
     double noise = sin(12.9898 * x + 78.233 * y) * 43758.5453;

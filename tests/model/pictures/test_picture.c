@@ -1,4 +1,5 @@
-/* Pictures as files: what is written reads back, and nothing else is taken for one. */
+/* test_picture.c - pictures as files: written files read back, and other files are
+ * rejected. */
 #include "tests/lib/near.h"
 
 #include <stdio.h>
@@ -7,7 +8,7 @@
 #include "model/pictures/picture_hdr.h"
 #include "model/pictures/picture_pfm.h"
 
-/* Contents of a file, as its writer has them. */
+/* A file in memory, with its length. */
 struct file {
     char *bytes;
     size_t length;
@@ -27,7 +28,7 @@ static struct file hdr_of(const struct pp_picture *picture,
 static enum pp_status read_hdr(struct pp_picture *picture, struct pp_hdr_notes *notes,
                                const char *bytes, size_t length, struct pp_error *err)
 {
-    /* Exactly as long as the bytes, so that a look beyond them is seen. */
+    /* A copy of exactly this length, so that a read beyond its end is detected. */
     unsigned char *copy = malloc(length ? length : 1);
     assert_non_null(copy);
     memcpy(copy, bytes, length);
@@ -36,14 +37,14 @@ static enum pp_status read_hdr(struct pp_picture *picture, struct pp_hdr_notes *
     return status;
 }
 
-/* Numbers of no pattern, 0 to 1. */
+/* Pseudo-random numbers from 0 to 1. */
 static double chance(uint32_t *state)
 {
     *state = *state * 1664525u + 1013904223u;
     return (*state >> 8) / 16777216.0;
 }
 
-/* Smooth parts, flat parts and noise, over twelve orders of magnitude. */
+/* Smooth parts, uniform parts and noise, over twelve orders of magnitude. */
 static void paint(struct pp_picture *picture)
 {
     uint32_t state = 7;
@@ -59,8 +60,8 @@ static void paint(struct pp_picture *picture)
         }
 }
 
-/* Eight bits for the brightest channel, its leading one included: half a step is 1/256
- * of it at most. */
+/* Eight bits for the brightest channel, including its leading bit: half a step is at
+ * most 1/256 of the value. */
 static void a_pixel_keeps_to_half_a_per_cent_of_its_brightest_channel(void **state)
 {
     (void)state;
@@ -109,9 +110,9 @@ static void the_bytes_are_those_of_the_format(void **state)
     static const char header[] = "#?RADIANCE\nSOFTWARE= pepperpot\n"
                                  "VIEW= -vtv -vp 1 2 3\nEXPOSURE= 2.500000000e-01\n"
                                  "FORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 9\n";
-    /* Two rows that are packed: 2, 2, the width; then runs of 9 a channel; in the
-     * second row the one pixel whose green is 0.75 of 0.5 x 2, so 96, and blue and the
-     * others black: what is not set is 0. */
+    /* Two compressed rows: 2, 2, the width; then runs of 9 for each channel. The second
+     * row has one pixel with a green of 0.75 of 0.5 x 2, so 96; blue and the other
+     * pixels are black. */
     static const unsigned char first_row[] = {2,       2,   0,       9,   128 + 9, 128,
                                               128 + 9, 128, 128 + 9, 128, 128 + 9, 129};
     assert_memory_equal(file.bytes, header, sizeof header - 1);
@@ -129,7 +130,7 @@ static void the_bytes_are_those_of_the_format(void **state)
     pp_picture_clear(&back);
     free(file.bytes);
 
-    /* Light as it is: an exposure of 1, said too. */
+    /* Unscaled values, with an explicit exposure of 1. */
     static const char plain[] = "#?RADIANCE\nEXPOSURE= 1.000000000e+00\n"
                                 "FORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 9\n";
     file = hdr_of(&picture, NULL);
@@ -166,14 +167,15 @@ static void what_is_no_light_is_black_and_what_is_too_much_is_as_bright_as_can_b
 #define A "\x80\x40\x20\x81" /* (1, 0.5, 0.25), and half a step */
 #define B "\x20\x40\x80\x81"
 
-/* Old programs: pixels as they are, and (1, 1, 1, n) for n more of the last. */
+/* Older formats: uncompressed pixels, and (1, 1, 1, n) for n repetitions of the last
+ * pixel. Other orders of rows and columns. */
 static void old_pictures_and_those_that_run_another_way_are_read(void **state)
 {
     (void)state;
     static const struct {
         const char *bytes;
         size_t length;
-        int blue[4]; /* of 2 x 2: is it B? */
+        int blue[4]; /* for each of 2 x 2 pixels: is it B? */
     } files[] = {
 #define FILE_OF(text) text, sizeof text - 1
         {FILE_OF(HEAD("-Y 2 +X 2") A B B A), {0, 1, 1, 0}},

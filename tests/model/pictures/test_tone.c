@@ -1,9 +1,9 @@
-/* Tests of the shown part of a picture's light. */
+/* test_tone.c - mapping of luminances to the range of a display. */
 #include "tests/lib/near.h"
 
 #include "model/pictures/tone.h"
 
-/* A picture of one row whose luminances are given. */
+/* A picture of one row with the given luminances. */
 static struct pp_picture row_of(const double *luminances, int count)
 {
     struct pp_picture picture;
@@ -22,8 +22,8 @@ static struct pp_tone tone_of(const struct pp_picture *picture, enum pp_tone_way
     return tone;
 }
 
-/* The pieces of the published curve meet within the rounding of their figures, and for
- * bright light they are Weber's law: 10^-1.255, 5.6 %. */
+/* The pieces of the published curve meet within the rounding of their constants; for
+ * bright light they follow Weber's law: 10^-1.255, 5.6 %. */
 static void an_eye_in_bright_light_sees_a_difference_of_five_per_cent(void **state)
 {
     (void)state;
@@ -58,13 +58,14 @@ static void the_mean_is_a_middle_grey_and_white_is_where_one_says(void **state)
     pp_picture_clear(&picture);
 }
 
-/* An eye takes in a degree at once: of pixels of 1 and 99 cd/m2 in pairs it sees 50,
- * and 50 is the middle grey, which 18 % of white is. Radiances of 1/179 of that are the
- * same picture. */
+/* The eye averages over a degree: of alternate pixels of 1 and 99 cd/m2 it sees 50,
+ * which becomes the middle grey, 18 % of white. The same picture in radiances, 1/179 of
+ * these values, gives the same result. */
 static void a_degree_is_seen_at_once(void **state)
 {
     (void)state;
-    static const double pairs[] = {1.0, 99.0, 99.0, 1.0, 50.0}; /* the last is cut */
+    static const double pairs[] = {1.0, 99.0, 99.0, 1.0,
+                                   50.0}; /* the last pixel is incomplete */
     struct pp_picture picture = row_of(pairs, 5);
     struct pp_tone tone;
     struct pp_tone_options options = {PP_TONE_AUTOMATIC, 0.0, 1.0, 2.0};
@@ -81,7 +82,7 @@ static void a_degree_is_seen_at_once(void **state)
     pp_picture_clear(&picture);
 }
 
-/* By [IEC61966], backwards: half a byte is 1.1 % of the darkest channel here. */
+/* Inverse of [IEC61966]: half a step is 1.1 % of the darkest channel here. */
 static double decoded(unsigned char byte)
 {
     double v = byte / 255.0;
@@ -99,7 +100,7 @@ static void a_colour_keeps_its_channels_shares(void **state)
     assert_relative(decoded(shown[0]), 0.60, 0.011);
     assert_relative(decoded(shown[1]), 0.30, 0.011);
     assert_relative(decoded(shown[2]), 0.12, 0.011);
-    pp_tone_apply(&tone, pp_rgb_grey(0.2), shown); /* where sRGB is straight */
+    pp_tone_apply(&tone, pp_rgb_grey(0.2), shown); /* where sRGB is linear */
     assert_int_equal(shown[0], 7);                 /* 0.002 * 12.92 * 255 = 6.6 */
     pp_picture_clear(&picture);
 }
@@ -118,8 +119,8 @@ static void a_black_picture_is_shown_black(void **state)
     pp_picture_clear(&picture);
 }
 
-/* A room of 5 to 60 cd/m2 about a window of 2,000 to 6,000: by one exposure either the
- * room is nearly black or the window white. */
+/* A room of 5 to 60 cd/m2 around a window of 2,000 to 6,000: with a single exposure
+ * either the room is nearly black or the window white. */
 static void room_and_window_are_both_seen(void **state)
 {
     (void)state;
@@ -140,9 +141,9 @@ static void room_and_window_are_both_seen(void **state)
     assert_true(pp_tone_shown(&tone, 6000.0) - pp_tone_shown(&tone, 2000.0) > 0.05);
     assert_near(pp_tone_shown(&tone, 6000.0), 1.0, 1e-6);
 
-    /* Nowhere more contrast than the eye has there: a step that it just sees in the
-     * scene is at most one that it just sees on the screen, but for what trimming left
-     * (2.5 %) and a bin's width. */
+    /* The contrast is never higher than visible in the scene: a step that is just
+     * visible in the scene is at most just visible on the screen, except for the limits
+     * of trimming (2.5 %) and the width of a bin. */
     for (double l = 5.0; l < 60.0; l *= 1.3) {
         double d = 1e-3, shown = 100.0 * pp_tone_shown(&tone, l);
         double next = 100.0 * pp_tone_shown(&tone, l * (1.0 + d));
@@ -154,10 +155,10 @@ static void room_and_window_are_both_seen(void **state)
     pp_picture_clear(&picture);
 }
 
-/* An attic of 55 to 170 cd/m2 with some of the sky in its rooflight, at 140 times the
- * luminance of the floor: what is 2.7 times as bright as the floor's corner is shown no
- * more than 2.7 times as bright, and the corner is not black. 5 %: what trimming
- * leaves, over the decade. */
+/* An attic of 55 to 170 cd/m2 with some sky in its rooflight, which has 140 times the
+ * luminance of the floor. A surface 2.7 times as bright as the corner of the floor is
+ * shown at most 2.7 times as bright, and the corner is not black. Tolerance: 5 % over
+ * the decade, from trimming. */
 static void contrast_is_never_added(void **state)
 {
     (void)state;
@@ -176,11 +177,11 @@ static void contrast_is_never_added(void **state)
     pp_picture_clear(&picture);
 }
 
-/* Bright light that is spread evenly over the logarithms from 100 to 1e6 cd/m2, twice
- * the display's two decades. An eye sees 5.6 % everywhere in it and no less on the
- * display, where the same step is half as large: nothing is trimmed, and the curve is
- * the display's range over the share of what is darker, 100^(log10(L/100)/4) cd/m2, by
- * [LRP97]. The fields' last bin and its rounding are worth a hundredth of it. */
+/* Bright light distributed uniformly on a logarithmic scale from 100 to 1e6 cd/m2,
+ * twice the two decades of the display. The eye sees steps of 5.6 % everywhere, also on
+ * the display, where the same step is half as large, so nothing is trimmed. The curve
+ * is the range of the display times the share of darker pixels, 100^(log10(L/100)/4)
+ * cd/m2, by [LRP97]. The last bin and its rounding contribute a hundredth. */
 static void evenly_spread_light_is_shown_by_the_closed_form(void **state)
 {
     (void)state;
@@ -200,9 +201,10 @@ static void evenly_spread_light_is_shown_by_the_closed_form(void **state)
     pp_picture_clear(&picture);
 }
 
-/* The same without what lies between 10^3.6 and 10^4.4 cd/m2, a fifth of the range: of the
- * curve's two decades that gap has no more than its fifth of the hundredth of all fields
- * that is spread evenly, 100^(0.2/101). The fields at its two borders are worth 0.1 %. */
+/* The same without luminances between 10^3.6 and 10^4.4 cd/m2, a fifth of the range.
+ * The gap only receives its fifth of the hundredth of all pixels that is distributed
+ * uniformly, 100^(0.2/101) of the two decades. The pixels at its borders contribute 0.1
+ * %. */
 static void a_gap_in_the_light_is_passed_over_in_a_small_step(void **state)
 {
     (void)state;
@@ -221,8 +223,8 @@ static void a_gap_in_the_light_is_passed_over_in_a_small_step(void **state)
     pp_picture_clear(&picture);
 }
 
-/* A scene of less contrast than the display has is not stretched: it is shown in
- * proportion, its brightest white ([LRP97], the linear case). */
+/* A scene with less contrast than the display is not stretched: it is shown in
+ * proportion, its brightest value as white ([LRP97], the linear case). */
 static void little_contrast_is_not_stretched(void **state)
 {
     (void)state;

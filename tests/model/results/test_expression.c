@@ -1,5 +1,6 @@
-/* Expressions of printed formulae: read as people read them, with dimensions, refused at
- * the right place, and read the same as by the tests' own evaluator. */
+/* test_expression.c - expressions of printed formulae: parsed as printed, with
+ * dimensions, rejected at the right position, and with the same values as the tests'
+ * own evaluator. */
 #include "tests/lib/near.h"
 
 #include <math.h>
@@ -27,7 +28,7 @@ static double value_of(const char *text)
     return pp_expression_value(&expression, values, NULL);
 }
 
-/* By hand. */
+/* Calculated by hand. */
 static void sums_come_to_what_they_do_on_paper(void **state)
 {
     (void)state;
@@ -47,7 +48,7 @@ static void sums_come_to_what_they_do_on_paper(void **state)
                 3.0 * 0.31 * 6.0 * M_PI, 1e-13);
 }
 
-/* Where a text goes wrong: the column from 1, and a word of the message. */
+/* Position of each error: the column, counted from 1, and a word of the message. */
 static void a_wrong_text_is_refused_at_its_place(void **state)
 {
     (void)state;
@@ -147,8 +148,8 @@ static unsigned next(unsigned long long *seed)
     return (unsigned)(*seed >> 33);
 }
 
-/* Whatever the bytes, a text is read or refused at a column that it has, and what is read
- * can be worked out. */
+/* For any bytes, a text is either parsed and can be evaluated, or rejected at one of
+ * its columns. */
 static void no_bytes_upset_the_reader(void **state)
 {
     (void)state;
@@ -177,7 +178,7 @@ static void no_bytes_upset_the_reader(void **state)
     assert_true(read > 100);
 }
 
-/* Writes a random sum of ratios, with the signs of print. */
+/* Writes a random sum of ratios, with printed signs. */
 static void write_sum(char *text, size_t room, unsigned long long *seed, int depth)
 {
     static const char *const leaves[] = {"R", "R_fw", "2", "0.85", "R_fw", "3.1"};
@@ -208,7 +209,7 @@ static void write_sum(char *text, size_t room, unsigned long long *seed, int dep
     }
 }
 
-/* The tests' evaluator shares no line with the program's. */
+/* The tests' evaluator shares no code with the program's. */
 static void two_readers_agree_on_random_sums(void **state)
 {
     (void)state;
@@ -238,7 +239,7 @@ static void two_readers_agree_on_random_sums(void **state)
 
 /* ---- formulae ---- */
 
-/* All published ones are read; the left side's dimension is that of the sum. */
+/* All published formulae are parsed; both sides have the same dimension. */
 static void published_formulae_are_sound(void **state)
 {
     (void)state;
@@ -258,8 +259,8 @@ static void published_formulae_are_sound(void **state)
     assert_true(count > 40);
 }
 
-/* A worksheet of two parts: figures by name, the part's number in the text. By hand:
- * 0.85 x 2 m2 x 12 % = 20.4 %. */
+/* A worksheet of two parts: quantities by name, with the number of the part in the
+ * text. By hand: 0.85 x 2 m2 x 12 % = 20.4 %. */
 static void a_worksheet_works_out_what_it_prints(void **state)
 {
     (void)state;

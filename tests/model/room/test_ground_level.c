@@ -1,4 +1,4 @@
-/* test_ground_level.c - how deep the ground lies. */
+/* test_ground_level.c - the level of the ground. */
 #include "model/room/ground.h"
 
 #include "tests/lib/room_of.h"
@@ -25,11 +25,11 @@ static void the_ground_is_where_the_site_has_it(void **state)
     assert_near(level_of(WINDOW "sill=\"0.83\"/>"), 0.0, 0.0);
     assert_near(level_of(SITE("-7.3") WINDOW "sill=\"0.83\"/>"), -7.3, 0.0);
     assert_near(level_of(SITE("0.61") WINDOW "sill=\"0.83\"/>"), 0.61, 0.0);
-    assert_near(level_of(SITE("0.61")), 0.61, 0.0); /* no window to be buried */
+    assert_near(level_of(SITE("0.61")), 0.61, 0.0); /* no window below the ground */
 }
 
-/* A cellar's windows, the higher of them above the ground: it is dug away to the sill
- * of the lowest. */
+/* Windows of a cellar, the higher of them above the ground: the ground is lowered to
+ * the sill of the lowest window. */
 static void the_ground_is_dug_away_before_the_lowest_window(void **state)
 {
     (void)state;
@@ -40,13 +40,13 @@ static void the_ground_is_dug_away_before_the_lowest_window(void **state)
                                             "<window wall=\"north\" left=\"0.4\" "
                                             "sill=\"0.37\" width=\"1\" height=\"1\"/>"),
                 0.37, 1e-15);
-    /* A rooflight lies above any of it. */
+    /* A rooflight is above the ground. */
     assert_near(level_of(SITE("1.7") "<rooflight x=\"1\" y=\"2\" width=\"1.1\" "
                                      "depth=\"0.9\"/>"),
                 1.7, 0.0);
 }
 
-/* Without a room it is points that would be buried. */
+/* Without a room, the ground is below the points. */
 static void the_ground_lies_below_points_without_a_room(void **state)
 {
     (void)state;

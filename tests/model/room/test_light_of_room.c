@@ -18,8 +18,8 @@ static void without_a_word_it_is_overcast_over_a_ground_of_a_fifth(void **state)
     assert_near(light.ground_reflectance, 0.37, 0.0);
 }
 
-/* A sun in the true south stands along -y where +y is north, and along -x where +y is
- * west (bearing 270): turning the room turns the sun about it the other way. */
+/* A sun in the true south is at -y if +y is north, and at -x if +y is west (bearing
+ * 270): if the room rotates, the sun rotates around it in the opposite direction. */
 static void the_sun_s_bearing_is_from_true_north(void **state)
 {
     (void)state;
@@ -41,8 +41,8 @@ static void the_sun_s_bearing_is_from_true_north(void **state)
     }
 }
 
-/* Snow and a clear sky change nothing of where things stand: the two worlds have the
- * same surfaces, openings and receivers, bit for bit. */
+/* Snow and a clear sky do not change the geometry: the two worlds have identical
+ * surfaces, openings and receivers. */
 static void rooms_that_differ_in_light_have_one_world(void **state)
 {
     (void)state;
@@ -72,8 +72,8 @@ static void rooms_that_differ_in_light_have_one_world(void **state)
     pp_world_destroy(b);
 }
 
-/* A sky that needs a sun which is nowhere, or below the horizon, is none; the light
- * that there was stays. Neither can be read, so the parts are set here. */
+/* A sky whose sun has no position or is below the horizon is rejected, and the previous
+ * light is kept. Room files cannot describe such a sky, so the test sets its parts. */
 static void a_sky_that_cannot_be_is_refused(void **state)
 {
     (void)state;

@@ -1,10 +1,10 @@
-/* test_room_facades.c - a room as part of a larger house: which walls go on, and where
- * to. */
+/* test_room_facades.c - a room as part of a larger house: which walls are extended, and
+ * how far. */
 #include "model/room/room_facades.h"
 #include "model/room/room_parts.h"
 #include "tests/lib/room_of.h"
 
-/* A copy of the room with its walls gone on by 20 m. */
+/* A copy of the room with its walls extended by 20 m. */
 static struct pp_room *in_a_house(const char *xml, int *added)
 {
     struct pp_mistakes mistakes;
@@ -28,7 +28,8 @@ static struct pp_room *in_a_house(const char *xml, int *added)
 #define SOUTH "<window wall='south' left='1' sill='0.8' width='2' height='1.5'/>"
 
 /* Beyond the corner between south and east each wall would be in front of the other's
- * windows. Seen from outside the corner is right of the south wall, left of the east. */
+ * windows. Seen from outside the corner is to the right of the south wall and to the
+ * left of the east wall. */
 static void walls_with_windows_go_on_but_not_round_a_corner(void **state)
 {
     (void)state;
@@ -67,7 +68,7 @@ static void walls_of_opposite_windows_go_on_to_all_sides(void **state)
     pp_room_destroy(room);
 }
 
-/* A wall's facade in the file stands, though it be that nothing goes on. */
+/* A façade in the file is kept, even if it does not extend the wall. */
 static void a_wall_of_which_the_file_speaks_stays_as_it_is(void **state)
 {
     (void)state;
@@ -96,8 +97,8 @@ static void above_a_rooflight_there_is_no_house(void **state)
     pp_room_destroy(room);
 }
 
-/* An L: its inner walls, 3 and 4, meet in a corner that looks outwards, and going on
- * there they would go through the room. */
+/* An L-shaped room: the inner walls, 3 and 4, meet in a corner that points inwards;
+ * extended beyond it they would pass through the room. */
 static void beside_an_inner_corner_a_wall_ends(void **state)
 {
     (void)state;
@@ -110,7 +111,7 @@ static void beside_an_inner_corner_a_wall_ends(void **state)
         "<window wall='3' left='0.5' sill='0.9' width='1.9' height='1.5'/></room>",
         &added);
     assert_int_equal(added, 1);
-    /* Wall 3 runs from (7, 3) to (4, 3) and looks north: seen from outside the inner
+    /* Wall 3 runs from (7, 3) to (4, 3) and faces north: seen from outside the inner
      * corner is to its right. */
     assert_near(room->facades[0].left_m, 20.0, 0.0);
     assert_near(room->facades[0].right_m, 0.0, 0.0);

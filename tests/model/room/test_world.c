@@ -1,4 +1,4 @@
-/* test_world.c - what a room file says, and where things then stand. */
+/* test_world.c - positions of the parts that a room file describes. */
 #include "model/room/world.h"
 
 #include "model/geometry/polygon.h"
@@ -24,8 +24,8 @@ static struct pp_world *room_with(const char *parts)
     return pp_test_world(xml);
 }
 
-/* In every wall a window near the left end as an elevation from outside shows it: in
- * the south wall that is the west end, in the north wall the east end. */
+/* In every wall a window near the left end, as seen from outside: the west end of the
+ * south wall, the east end of the north wall. */
 static void left_is_seen_from_outside(void **state)
 {
     (void)state;
@@ -75,8 +75,8 @@ static void a_rectangle_has_six_faces_that_look_inwards(void **state)
     pp_world_destroy(world);
 }
 
-/* Opposite walls of an L: six of them, their areas the perimeter times the height, the
- * floor what is left of the square. */
+/* The six walls of an L-shaped room: their area is the perimeter times the height; the
+ * floor is the square without its corner. */
 static void the_walls_of_an_ell_have_its_perimeter(void **state)
 {
     (void)state;
@@ -94,7 +94,7 @@ static void the_walls_of_an_ell_have_its_perimeter(void **state)
     assert_near(walls_m2, 2.0 * (6.0 + 6.2) * 2.6, 1e-12);
     assert_near(pp_region_area(&world->plane), 6.0 * 6.2 - 2.9 * 3.1, 1e-12);
 
-    /* Wall 4 looks east into the corner; its left end from outside is to the south. */
+    /* Wall 4 faces east into the corner; its left end from outside is to the south. */
     const struct pp_opening *window = &world->openings[0];
     assert_ptr_equal(&world->surfaces[window->face], face_named(world, "4"));
     assert_near(window->inner.normal.x, -1.0, 0.0);
@@ -118,8 +118,8 @@ static void the_walls_of_an_ell_have_its_perimeter(void **state)
     pp_world_destroy(world);
 }
 
-/* In doubles 1.1 + 2.2 is more than 3.3 and 0.1 + 0.2 more than 0.3; the window still
- * ends where the wall does, to the bit. */
+/* In double precision 1.1 + 2.2 is more than 3.3 and 0.1 + 0.2 more than 0.3; the
+ * window still ends exactly at the end of the wall. */
 static void a_window_may_fill_its_wall(void **state)
 {
     (void)state;
@@ -143,8 +143,8 @@ static void a_window_may_fill_its_wall(void **state)
     pp_world_destroy(world);
 }
 
-/* Each side of the depth looks into the void, and together they are the outline's
- * length times the depth. */
+/* Each side of the reveal faces the opening, and their total area is the length of the
+ * outline times the depth. */
 static void reveals_line_the_opening_s_depth(void **state)
 {
     (void)state;
@@ -193,8 +193,8 @@ static void a_rooflight_lies_in_the_ceiling_at_its_place_in_plan(void **state)
     pp_world_destroy(world);
 }
 
-/* The outward flow through a box's sides of any constant field is none, and of the
- * position three times its volume. */
+/* The outward flux of any constant field through the sides of a box is zero, and that
+ * of the position vector is three times its volume. */
 static void a_turned_block_s_sides_close_round_its_volume(void **state)
 {
     (void)state;
@@ -219,12 +219,12 @@ static void a_turned_block_s_sides_close_round_its_volume(void **state)
         assert_near(side->front, 0.31, 0.0);
         assert_false(side->inside);
     }
-    /* One floats 1.2 m over the ground and shows its underside. */
+    /* A block 1.2 m above the ground shows its underside. */
     assert_int_equal(sides[0], 6);
     assert_int_equal(sides[1], 5);
     assert_near(pp_vec_length(sum), 0.0, 1e-12);
     assert_near(flow / 3.0, 3.3 * 2.1 * 7.7, 1e-10);
-    /* Turned to the left, seen from above: the width's end. */
+    /* Rotated to the left, seen from above: the end of its width. */
     double c = cos(37.0 * PP_RAD), s = sin(37.0 * PP_RAD);
     struct pp_vec3 end = pp_vec(-9.0 + 3.3 * c, -14.0 + 3.3 * s, 1.2);
     double nearest = INFINITY;
@@ -238,7 +238,7 @@ static void a_turned_block_s_sides_close_round_its_volume(void **state)
 }
 
 /* A neighbour built against the wall, and a picture on it: a ray must not have to
- * choose. */
+ * choose between two surfaces in one plane. */
 static void what_lies_flush_with_a_wall_is_set_off_it(void **state)
 {
     (void)state;
@@ -256,7 +256,8 @@ static void what_lies_flush_with_a_wall_is_set_off_it(void **state)
         for (int k = 0; surface->role == PP_BLOCK && k < 4; k++)
             least = fmin(least, surface->outline.vertices[k].x - 4.3);
     }
-    /* The niche's other sides still begin in the wall's plane, edge on. */
+    /* The other sides of the niche still begin in the plane of the wall, seen
+     * edge-on. */
     assert_near(least, 0.0, 1e-12);
     const struct pp_surface *flush = NULL;
     for (int i = 0; i < world->surface_count; i++)
@@ -289,8 +290,8 @@ static void loose_surfaces_know_whether_they_are_inside(void **state)
     pp_world_destroy(world);
 }
 
-/* The middle lies between the lowest sill and the highest head of that wall's windows;
- * at 20 degrees and 14 m the head rises 14 tan 20 above it. */
+/* The reference height is midway between the lowest sill and the highest head of the
+ * wall's windows; at 20 degrees and 14 m the skyline is 14 tan 20 higher. */
 static void a_skyline_is_seen_from_the_middle_of_its_wall_s_windows(void **state)
 {
     (void)state;
@@ -307,7 +308,8 @@ static void a_skyline_is_seen_from_the_middle_of_its_wall_s_windows(void **state
     assert_ptr_equal(&world->surfaces[near->face], face_named(world, "south"));
     assert_near(near->reflectance, 0.2, 0.0);
     assert_true(isinf(far->distance_m) && isinf(far->head_z_m));
-    assert_near(far->middle_z_m, 1.45, 1e-12); /* a wall without a window: its own */
+    assert_near(far->middle_z_m, 1.45,
+                1e-12); /* a wall without a window: its own middle */
     assert_near(far->angle_rad, 35.0 * PP_RAD, 1e-15);
     pp_world_destroy(world);
 }

@@ -1,4 +1,4 @@
-/* Level curves of functions whose curves are known. */
+/* test_contour.c - level curves of functions with known level curves. */
 #include <stdlib.h>
 
 #include "model/geometry/contour/contour.h"
@@ -21,7 +21,7 @@ static struct pp_region region_of(const double (*xy)[2], int count)
     return region;
 }
 
-/* The region less a rectangle in its middle. */
+/* The region without a rectangle in its middle. */
 static struct pp_region with_hole(const double (*xy)[2], int count,
                                   const double (*hole)[2])
 {
@@ -77,13 +77,14 @@ static void level_of_a_dome_is_a_circle_that_is_closed_and_turns_left(void **sta
     const struct pp_curve *circle = &curves.list[0];
     assert_true(circle->closed);
     for (int i = 0; i < circle->count; i++) {
-        /* Points are on the circle, and chords no further inside than the tolerance. */
+        /* Points are on the circle; chords are inside by at most the tolerance. */
         const double *a = circle->xy[i], *b = circle->xy[(i + 1) % circle->count];
         assert_near(hypot(a[0] - 3.1, a[1] - 1.7), radius, TOLERANCE);
         assert_near(hypot(0.5 * (a[0] + b[0]) - 3.1, 0.5 * (a[1] + b[1]) - 1.7), radius,
                     1.5 * TOLERANCE);
     }
-    /* Higher, inside, on its left. Area within a strip of the tolerance. */
+    /* The higher side is inside, on the left. The area is accurate to a strip as wide
+     * as the tolerance. */
     assert_near(signed_area(circle), M_PI * radius * radius,
                 2.0 * M_PI * radius * TOLERANCE);
     assert_near(pp_curve_length(circle), 2.0 * M_PI * radius, 5e-3);
@@ -126,10 +127,10 @@ static void level_of_a_valley_is_an_ellipse_that_turns_right(void **state)
     assert_int_equal(pp_contour_curves(field, 1.0, &curves, 0), PP_OK);
     assert_int_equal(curves.count, 1);
     assert_true(curves.list[0].closed);
-    /* The ellipse has a circumference of 9.06 m; lower is inside. */
+    /* The ellipse has a circumference of 9.06 m; the lower side is inside. */
     assert_near(signed_area(&curves.list[0]), -M_PI * 2.1 * 0.45, 9.1 * TOLERANCE);
     for (int i = 0; i < curves.list[0].count; i++) {
-        /* The slope is least at the ends of the long axis: 2/2.1 a metre. */
+        /* The slope is smallest at the ends of the long axis: 2/2.1 per metre. */
         double value;
         slanting_ellipse(0, curves.list[0].xy[i][0], curves.list[0].xy[i][1], &value,
                          0);
@@ -163,15 +164,15 @@ static void a_straight_level_line_is_cut_by_the_edges_of_an_l_shape(void **state
     assert_near(pp_curve_length(&curves.list[0]), hypot(5.2, 0.3 * 5.2), TOLERANCE);
     pp_curve_list_clear(&curves);
 
-    /* 3.2 leaves the foot at (2.57, 2.1) and comes back into the stem at (2.4, 2.667).
-     */
+    /* The level 3.2 leaves the foot at (2.57, 2.1) and enters the stem at (2.4,
+     * 2.667). */
     assert_int_equal(pp_contour_curves(field, 3.2, &curves, 0), PP_OK);
     assert_int_equal(curves.count, 2);
     for (int i = 0; i < 2; i++) {
         const struct pp_curve *line = &curves.list[i];
         assert_false(line->closed);
         const double *first = line->xy[0], *last = line->xy[line->count - 1];
-        /* Higher, the east, is on its left: it runs south. */
+        /* The higher side, the east, is on its left, so it runs south. */
         assert_true(first[1] > last[1]);
         bool foot = last[1] < 1.0;
         assert_near(first[0], foot ? 2.57 : 1.64, TOLERANCE);
@@ -184,10 +185,10 @@ static void a_straight_level_line_is_cut_by_the_edges_of_an_l_shape(void **state
     pp_region_clear(&region);
 }
 
-/* Two slopes that meet in a crease: the lower of them is a wedge at level 0. One of them is
- * nearly level, as tables read between their rows are. */
+/* Two slopes that meet in a crease: at level 0 the curve of their minimum is a wedge.
+ * One of them is nearly horizontal, as between rows of a table. */
 struct wedge {
-    double at[2], turn; /* its point, and which way it opens */
+    double at[2], turn; /* its corner, and the direction in which it opens */
     double half;        /* angle to its sides */
 };
 
@@ -203,8 +204,8 @@ static enum pp_status lower_of_two(void *context, double x, double y, double *va
     return PP_OK;
 }
 
-/* Chords and all: no piece of the curve is farther from the wedge's sides than the corner
- * itself may be cut, in forty wedges that lie anyhow to the mesh. */
+/* In forty wedges at any position relative to the mesh, no piece of the curve, chords
+ * included, is farther from the sides of the wedge than the corner may be cut off. */
 static void the_curve_of_a_crease_turns_its_corner(void **state)
 {
     (void)state;
@@ -243,7 +244,7 @@ static void the_curve_of_a_crease_turns_its_corner(void **state)
     pp_region_clear(&region);
 }
 
-/* 0 or 1, without anything between, round a slanting line. */
+/* A step from 0 to 1 along a slanting line. */
 static enum pp_status step(void *context, double x, double y, double *value,
                            struct pp_error *err)
 {
@@ -289,11 +290,11 @@ static void what_lies_below_a_level_has_the_area_that_geometry_gives(void **stat
     double whole = 6.3 * 2.1 + 2.4 * 3.1;
     assert_near(area_below(field, -1.0), 0.0, 0.0);
     assert_near(area_below(field, 7.5), whole, 1e-12);
-    /* Under 2.95: a trapezium of the foot and the stem with parallel sides. */
+    /* Below 2.95: a trapezium in the foot and the stem with parallel sides. */
     assert_near(area_below(field, 2.95), 0.5 * (2.95 + 1.39) * 5.2 - 0.0,
                 5.5 * TOLERANCE);
-    /* Under 3.2: the foot's trapezium, and the stem less the corner that the line cuts
-     * off, of height 5.2 - 8/3. */
+    /* Below 3.2: the trapezium in the foot, and the stem without the corner that the
+     * line cuts off, with the height 5.2 - 8/3. */
     double stem = 2.4 * 3.1 - 0.5 * (5.2 - 8.0 / 3.0) * (2.4 - 1.64);
     assert_near(area_below(field, 3.2), 0.5 * (3.2 + 2.57) * 2.1 + stem,
                 5.0 * TOLERANCE);
@@ -307,8 +308,8 @@ static void a_hole_in_the_figure_is_kept_out(void **state)
     static const double hole[][2] = {{2.2, 1.1}, {4.0, 1.1}, {4.0, 2.4}, {2.2, 2.4}};
     struct pp_region region = with_hole(oblong, 4, hole);
     struct pp_field *field = field_of(&region, dome);
-    /* The circle of radius 0.5 lies in the hole, that of 0.8 comes out at its upper and
-     * lower sides only, that of 1.6 goes round it. */
+    /* The circle of radius 0.5 is inside the hole, that of 0.8 partly outside its upper
+     * and lower sides, that of 1.6 surrounds the hole. */
     static const struct {
         double radius;
         int count;
@@ -321,7 +322,7 @@ static void a_hole_in_the_figure_is_kept_out(void **state)
         assert_int_equal(curves.count, rows[i].count);
         pp_curve_list_clear(&curves);
     }
-    /* All but the ring between the circle of 1.6 and the hole lies lower than it. */
+    /* Everything is lower except the ring between the circle of 1.6 and the hole. */
     assert_near(area_below(field, 1.0 - 1.6 * 1.6), 5.6 * 4.3 - M_PI * 1.6 * 1.6,
                 2.0 * M_PI * 1.6 * TOLERANCE);
     pp_field_destroy(field);
@@ -339,8 +340,9 @@ static void no_function_value_is_asked_for_twice_as_often_as_needed(void **state
     assert_near(high, 1.0, 0.2);
     assert_near(hypot(high_xy[0] - 3.1, high_xy[1] - 1.7), 0.0, 0.3);
     long before = pp_field_evaluations(field);
-    /* Six levels of a smooth function, some 50 m of curve, must come cheap: exact's
-     * take up to 0.1 ms each and a plan is to be there within a second. */
+    /* Six levels of a smooth function, about 50 m of curve, must need few evaluations:
+     * those of `exact` take up to 0.1 ms each, and a plan should be drawn within a
+     * second. */
     for (int i = 1; i <= 6; i++)
         assert_int_equal(pp_contour_curves(field, 1.0 - 0.1 * i * i, &curves, 0),
                          PP_OK);
@@ -380,8 +382,8 @@ static void a_failure_of_the_function_is_handed_on(void **state)
     pp_region_clear(&region);
 }
 
-/* A slope with waves half as long as a triangle: its level is a line that leaves
- * triangles between their corners and comes back. */
+/* A slope with waves half as long as a triangle: its level curve leaves triangles
+ * between their corners and returns. */
 static double wave(double x)
 {
     return 2.0 + 0.11 * sin(17.0 * x);

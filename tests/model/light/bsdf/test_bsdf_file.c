@@ -14,7 +14,7 @@ static struct pp_vec3 towards(double theta_deg, double phi_deg)
     return pp_vec(sin(t) * cos(p), sin(t) * sin(p), cos(t));
 }
 
-/* Reads the file, which must be good. */
+/* Reads the file, which must be valid. */
 static struct pp_bsdf read_made(struct made_bsdf *file)
 {
     struct pp_bsdf bsdf;
@@ -63,7 +63,8 @@ static void patches_of_klems_fill_the_hemisphere(void **state)
     }
 }
 
-/* Ring 1 begins with the patch centred on azimuth 0, and goes counter-clockwise. */
+/* Ring 1 begins with the patch centred on azimuth 0; patches are in counter-clockwise
+ * order. */
 static void a_ring_begins_with_a_patch_centred_on_azimuth_0(void **state)
 {
     (void)state;
@@ -82,7 +83,8 @@ static void the_grid_divides_the_hemisphere_evenly(void **state)
 {
     (void)state;
     struct pp_angle_basis grid = pp_angle_basis_grid(8);
-    double mean = 0.0; /* of cos^2, 1/2 for directions uniform by projected angle */
+    double mean =
+        0.0; /* of cos^2: 1/2 for directions uniform in projected solid angle */
     for (int k = 0; k < grid.count; k++)
         for (double u = 0.125; u < 1.0; u += 0.25)
             for (double v = 0.125; v < 1.0; v += 0.25) {
@@ -107,7 +109,7 @@ static void a_lambertian_pane_transmits_alike_from_all_directions(void **state)
     pp_bsdf_clear(&bsdf);
 }
 
-/* The device's y is up: azimuth 270 is light that travels down. */
+/* The y axis of the device points up: azimuth 270 is light that travels down. */
 static void a_prism_transmits_more_of_light_that_travels_down(void **state)
 {
     (void)state;
@@ -116,14 +118,15 @@ static void a_prism_transmits_more_of_light_that_travels_down(void **state)
     assert_near(direct(&bsdf, PP_BSDF_THROUGH_FRONT, towards(40, 270)), 0.80, 1e-8);
     assert_near(direct(&bsdf, PP_BSDF_THROUGH_FRONT, towards(40, 90)), 0.50, 1e-8);
     assert_near(direct(&bsdf, PP_BSDF_THROUGH_FRONT, towards(0, 0)), 0.50, 1e-8);
-    /* The other way, by reciprocity: light that travels down there has come up here. */
-    double T = 0.25 + 0.1; /* straight and spread */
+    /* By reciprocity in the opposite direction: light that travels down there has come
+     * up here. */
+    double T = 0.25 + 0.1; /* direct and scattered */
     assert_near(direct(&bsdf, PP_BSDF_THROUGH_BACK, towards(40, 270)), T + 0.45, 1e-8);
     assert_near(direct(&bsdf, PP_BSDF_THROUGH_BACK, towards(40, 90)), T + 0.15, 1e-8);
     pp_bsdf_clear(&bsdf);
 }
 
-/* The same data by rows, with the leaving direction along each line. */
+/* The same data in rows: the leaving direction varies along each line. */
 static void rows_are_columns_transposed(void **state)
 {
     (void)state;
@@ -146,8 +149,8 @@ static void rows_are_columns_transposed(void **state)
     pp_bsdf_clear(&b);
 }
 
-/* A tree of rank 4, and values that Radiance reads from it, by travel and leaving
- * direction (theta, phi each). */
+/* A tree of rank 4, and the values that Radiance reads from it, by direction of travel
+ * and leaving direction (theta, phi each). */
 static void a_tensor_tree_has_the_values_that_radiance_reads(void **state)
 {
     (void)state;
@@ -181,14 +184,15 @@ static void a_tensor_tree_has_the_values_that_radiance_reads(void **state)
     pp_bsdf_clear(&bsdf);
 }
 
-/* A tree of rank 3 that is 1 where light leaves on the side towards which it travels. */
+/* A tree of rank 3 that is 1 for light that leaves on the side towards which it
+ * travels. */
 static void an_isotropic_tree_turns_with_the_light(void **state)
 {
     (void)state;
     struct made_bsdf file;
     made_bsdf_begin(&file, "TensorTree3");
     made_bsdf_block_begin(&file, "Visible", "Transmission Front", "LBNL/Shirley-Chiu");
-    /* Bit 1 of a child is the half of x of the leaving light. */
+    /* Bit 1 of a child's index selects the half in x of the leaving light. */
     fputs("{{0}{0}{{.1}{.1}{.1}{.1}{.1}{.1}{.1}{.1}}{.1}{0}{0}{.1}{.1}}", file.out);
     made_bsdf_block_end(&file);
     made_bsdf_end(&file);
@@ -237,7 +241,7 @@ static void doubtful_data_are_read_with_a_warning(void **state)
     pp_bsdf_clear(&bsdf);
 }
 
-/* Each file is refused with a message that contains the text. */
+/* Each file is rejected with a message that contains the text. */
 static void wrong_files_are_refused_with_a_line(void **state)
 {
     (void)state;
@@ -274,7 +278,7 @@ static void wrong_files_are_refused_with_a_line(void **state)
     }
 }
 
-/* A turn by half of 3 patches would end between two of them. */
+/* A rotation by half a turn of a ring with 3 patches would end between two of them. */
 static void every_patch_of_a_ring_has_an_opposite_one(void **state)
 {
     (void)state;

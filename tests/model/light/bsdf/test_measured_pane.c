@@ -1,4 +1,5 @@
-/* test_measured_pane.c - measured data as a pane: unscattered light, sampling, kinds. */
+/* test_measured_pane.c - measured data as a pane: unscattered light, sampling, kinds of
+ * panes. */
 #include "model/light/bsdf/bsdf_write.h"
 #include "model/light/bsdf/measured_pane.h"
 
@@ -26,7 +27,7 @@ static double clear(const struct pp_angle_basis *basis, int in, int out)
     return in == out ? 0.8 / pp_angle_basis_projected(basis, out) : 0.0;
 }
 
-/* In a patch about azimuth 300, where the prism spreads 0.15/pi. */
+/* In a patch about azimuth 300, towards which the prism scatters 0.15/pi. */
 static const struct pp_vec3 DOWN = {0.35, -0.6, 0.719374728496908};
 
 static void unscattered_light_is_split_off(void **state)
@@ -48,9 +49,9 @@ static void unscattered_light_is_split_off(void **state)
     pp_measured_pane_release(pane);
 }
 
-/* Louvres that hide the view straight ahead: no light at normal incidence, 0.8 from all
- * other directions. The patch about the normal has sin^2 of 9 degrees of the hemisphere's
- * projected solid angle. */
+/* Louvres that hide the view perpendicular to the pane: no light at normal incidence,
+ * 0.8 from all other directions. The patch about the normal has sin^2 of 9 degrees of
+ * the projected solid angle of the hemisphere. */
 static double selective(const struct pp_angle_basis *basis, int in, int out)
 {
     return in > 0 ? clear(basis, in, out) : 0.0;
@@ -65,12 +66,12 @@ static void a_pane_can_be_opaque_at_normal_incidence(void **state)
     assert_near(pane->diffuse, 0.8 * (1.0 - sine * sine), 1e-6);
     assert_near(pane->scatter.straight(pane, DOWN), 0.8, 1e-6);
     assert_near(pane->scatter.straight(pane, pp_vec(0.0, 0.0, 1.0)), 0.0, 0.0);
-    /* No clear glass is like it. */
+    /* No clear glass has such a transmittance. */
     assert_int_equal(pane->kind, PP_MEASURED_SCATTERING);
     pp_measured_pane_release(pane);
 }
 
-/* Means over a fine grid of samples against sums over all patches. */
+/* Means over a fine grid of samples compared with sums over all patches. */
 static void samples_have_the_density_that_they_state(void **state)
 {
     (void)state;
@@ -106,7 +107,7 @@ static void samples_have_the_density_that_they_state(void **state)
 }
 
 /* Light that leaves downwards into the room has come from below: 0.25 and 0.15 as for
- * any direction on that side, and 0.15 of the light that travels up. */
+ * all directions on that side, and 0.15 of the light that travels up. */
 static void radiance_under_an_even_sky_sums_over_arriving_light(void **state)
 {
     (void)state;
@@ -140,7 +141,7 @@ static void panes_are_told_apart_by_their_light(void **state)
     pp_measured_pane_release(prism);
 }
 
-/* Other programs read the data that were read, here halved by a frame. */
+/* Exported data are those that were read, here halved by a frame. */
 static void a_written_pane_reads_back(void **state)
 {
     (void)state;
@@ -173,7 +174,7 @@ static void a_written_pane_reads_back(void **state)
     }
 }
 
-/* Rings are bounded by 90 degrees, to the rounding of a file that gives degrees. */
+/* Rings end at 90 degrees, except for the rounding of degrees in the file. */
 static void no_ring_of_directions_goes_below_the_surface(void **state)
 {
     (void)state;

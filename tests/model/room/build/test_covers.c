@@ -1,4 +1,4 @@
-/* test_covers.c - doors and dados as surfaces before their walls, and in the means of
+/* test_covers.c - doors and dados as surfaces in front of their walls, and in mean
  * reflectances. */
 #include "methods/reflected/interior.h"
 #include "model/geometry/polygon.h"
@@ -9,7 +9,7 @@
     "<finishes floor='0.2' walls='0.45' ceiling='0.7'/>"
 #define ROOM PLAN "<window wall='south' left='1' sill='0.9' width='3' height='1.5'/>"
 
-/* Whole area of the covers, all of which are said to be `before` their walls by 0.1 mm. */
+/* Total area of the covers, all of which must be 0.1 mm in front of their walls. */
 static double area_of(const struct pp_world *world, int *count)
 {
     double sum = 0.0;
@@ -30,8 +30,8 @@ static double area_of(const struct pp_world *world, int *count)
     return sum;
 }
 
-/* Seen from outside, 0.4 m from the left end of the north wall (which is the east) and on
- * the floor. */
+/* On the floor, 0.4 m from the left end of the north wall seen from outside, which is
+ * its east end. */
 static void a_door_stands_where_a_window_would(void **state)
 {
     (void)state;
@@ -48,9 +48,9 @@ static void a_door_stands_where_a_window_would(void **state)
     pp_world_destroy(world);
 }
 
-/* On paper: floor 30 x 0.2, walls 61.6 x 0.45, ceiling 30 x 0.7 m2, window 4.5 m2 of 0.1
- * in the wall's place, door 0.8 x 2.05 m2 of 0.15 in it too; area 121.6 m2. Below the
- * window's middle (1.65 m) stand 1.65 m of the door. */
+/* By hand: floor 30 x 0.2, walls 61.6 x 0.45, ceiling 30 x 0.7 m2; the window, 4.5 m2
+ * of 0.1, and the door, 0.8 x 2.05 m2 of 0.15, replace parts of the wall. Total area
+ * 121.6 m2. 1.65 m of the door are below the middle of the window (1.65 m). */
 static void a_mean_reflectance_has_the_door_in_its_walls_place(void **state)
 {
     (void)state;
@@ -70,7 +70,7 @@ static void a_mean_reflectance_has_the_door_in_its_walls_place(void **state)
     assert_near(parts.upper.reflectance,
                 (30 * 0.7 + (22 * 1.15 - 2.25) * 0.45 - 0.8 * 0.4 * 0.3) / high_m2,
                 1e-12);
-    /* A wall that is left out has its door left out. */
+    /* Without a wall, its door is left out too. */
     int north = world->surfaces[world->surface_count - 1].owner;
     struct pp_interior_parts without = pp_interior_split_without(world, 1.65, north);
     assert_near(without.lower.reflectance,
@@ -79,8 +79,8 @@ static void a_mean_reflectance_has_the_door_in_its_walls_place(void **state)
     pp_world_destroy(world);
 }
 
-/* 1.2 m high round 22 m of wall, less 0.3 m of the window's 3 m and 1.2 m of the door's
- * 0.8 m. The window makes a notch, the door parts it. */
+/* 1.2 m high along 22 m of wall, without 0.3 m of the window's 3 m width and 1.2 m of
+ * the door's 0.8 m width. The window makes a notch, the door divides the dado. */
 static void a_dado_leaves_out_windows_and_doors(void **state)
 {
     (void)state;
@@ -94,8 +94,8 @@ static void a_dado_leaves_out_windows_and_doors(void **state)
     pp_world_destroy(world);
 }
 
-/* Two windows that begin above the dado's foot and end below its head: it is cut in three
- * pieces, none of which has a hole, and whose areas are the wall's less theirs. */
+/* Two windows whose sills and heads are within the height of the dado: it is cut into
+ * three pieces without holes, whose area is that of the wall without the windows. */
 static void a_dado_round_windows_is_cut_into_pieces_without_holes(void **state)
 {
     (void)state;
@@ -109,10 +109,10 @@ static void a_dado_round_windows_is_cut_into_pieces_without_holes(void **state)
     pp_world_destroy(world);
 }
 
-/* To the full height, it is the wall's finish: the same means to rounding. A wall's own
- * dado goes before that of all walls. */
-/* Two doors leave three pieces of a wall's dado; wherever the list of surfaces grows between
- * them (by the number of reveals before them), each belongs to the wall that it is before. */
+/* A dado of full height equals the finish of the wall: the same means, except for
+ * rounding. A wall's own dado has priority over that of all walls. */
+/* Two doors divide a wall's dado into three pieces. With any number of reveals before
+ * them in the list of surfaces, each piece belongs to its wall. */
 static void every_piece_belongs_to_its_wall_however_many_surfaces_there_are(
     void **state)
 {
@@ -168,7 +168,7 @@ static void a_dado_of_full_height_is_the_walls_finish(void **state)
     pp_world_destroy(finish);
 }
 
-/* A point on the wall behind a dado would be in the dark. */
+/* A point on the wall behind a dado would receive no light. */
 static void no_point_lies_behind_a_dado(void **state)
 {
     (void)state;

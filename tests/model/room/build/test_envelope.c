@@ -1,6 +1,5 @@
-/* test_envelope.c - rooms of any shape: closed, the right way round, cut by the working
- * plane.
- */
+/* test_envelope.c - rooms of any shape: closed, with the right orientation, cut by the
+ * working plane. */
 #include <stdlib.h>
 
 #include "model/geometry/polygon.h"
@@ -8,7 +7,7 @@
 #include "tests/lib/room_of.h"
 #include "model/room/position.h"
 
-/* Text that grows. */
+/* A text buffer. */
 struct text {
     char bytes[32768];
     int length;
@@ -28,7 +27,7 @@ static void add(struct text *text, const char *format, ...)
 }
 
 /* Faces of a prism: the profile in the x-z plane, counter-clockwise seen from the
- * south, drawn out from y = 0 to depth. Edge i gets role and name. */
+ * south, extruded from y = 0 to depth. Edge i has a role and a name. */
 struct profile {
     int count;
     const double (*xz)[2];
@@ -44,7 +43,8 @@ static void add_vertex(struct text *text, double x, double y, double z)
 static void add_prism(struct text *text, const struct profile *p)
 {
     for (int end = 0; end < 2; end++) {
-        /* From inside the south end looks clockwise, the north end as drawn. */
+        /* From inside, the south end appears clockwise, the north end as in the
+         * profile. */
         add(text, "<face role=\"wall\" name=\"%s\">", end ? "north" : "south");
         for (int i = 0; i < p->count; i++) {
             int k = end ? i : p->count - 1 - i;
@@ -72,7 +72,7 @@ static struct pp_world *prism_room(const struct profile *profile, const char *pa
     return pp_test_world(text.bytes);
 }
 
-/* The flow of a constant field and of the position out of the envelope. */
+/* The flux of a constant field, and of the position vector, out of the envelope. */
 static void check_closed(const struct pp_world *world, double volume_m3)
 {
     struct pp_vec3 sum = {0.0, 0.0, 0.0};
@@ -87,7 +87,7 @@ static void check_closed(const struct pp_world *world, double volume_m3)
     assert_relative(flow / 3.0, volume_m3, 1e-12);
 }
 
-/* Seen from the south the floor comes first, then the right-hand wall. */
+/* Seen from the south the floor is first, then the right-hand wall. */
 static const char *const box_roles[] = {"floor", "wall", "ceiling", "wall"};
 
 static void an_envelope_of_a_plan_s_faces_is_the_plan(void **state)
@@ -153,7 +153,7 @@ static void a_gable_s_section_narrows_with_height(void **state)
     }
 }
 
-/* A roof in two ridges; its valley hangs down to 3 m. */
+/* A roof with two ridges; its valley is at 3 m. */
 static const double saw[7][2] = {{0.0, 0.0}, {8.0, 0.0}, {8.0, 3.5}, {6.0, 5.0},
                                  {4.0, 3.0}, {2.0, 5.0}, {0.0, 3.5}};
 static const char *const saw_roles[] = {"floor",   "wall",    "ceiling", "ceiling",
@@ -168,7 +168,8 @@ static void a_section_above_the_valley_falls_into_two(void **state)
         int rings;
     } cases[] = {
         {2.9, 8.0, 1},
-        {3.0, 8.0, 2}, /* it touches: just above there are two, edge to edge */
+        {3.0, 8.0,
+         2}, /* at the valley: just above it there are two regions that touch */
         {3.5, 8.0 - 2 * 0.5, 2},
         {4.5, 2 * (0.5 * 2.0 / 1.5 + 0.5), 2},
     };
@@ -186,14 +187,15 @@ static void a_section_above_the_valley_falls_into_two(void **state)
     }
 }
 
-/* A room with a shaft through it: floor and ceiling with a hole can't be one ring each,
- * so they are two, and the shaft's sides look outwards. The section has a hole. */
+/* A room with a shaft through it: floor and ceiling with a hole cannot be one outline
+ * each, so each is divided in two, and the sides of the shaft face outwards. The
+ * section has a hole. */
 static void a_shaft_is_a_hole_in_the_section(void **state)
 {
     (void)state;
     struct text text = {.length = 0};
     add(&text, "<room version=\"1\"><envelope>");
-    /* Outer 6 x 5, shaft 2..3.5 x 2..4, both split at x = 2.75. */
+    /* Outer outline 6 x 5, shaft 2..3.5 x 2..4, both divided at x = 2.75. */
     static const double outer[6][2] = {{0, 0}, {2.75, 0}, {6, 0},
                                        {6, 5}, {2.75, 5}, {0, 5}};
     static const double shaft[6][2] = {{2, 2},   {2.75, 2}, {3.5, 2},
@@ -214,7 +216,7 @@ static void a_shaft_is_a_hole_in_the_section(void **state)
         for (int i = 0; i < 6; i++) {
             const double(*xy)[2] = ring ? shaft : outer;
             const double *a = xy[i], *b = xy[(i + 1) % 6];
-            if (!ring) { /* from inside an outer wall runs from right to left */
+            if (!ring) { /* seen from inside, an outer wall runs from right to left */
                 const double *swap = a;
                 a = b, b = swap;
             }
@@ -239,14 +241,15 @@ static void a_shaft_is_a_hole_in_the_section(void **state)
     pp_world_destroy(world);
 }
 
-/* ---- Openings in slopes ---- */
+/* ---- openings in slopes ---- */
 
-/* A room 2 m high at the east end, from where its roof climbs over the room with this
- * slope (beyond 90 degrees it leans out); an opening 1 x 0.5 m in it. */
+/* A room 2 m high at the east end, from which its roof rises over the room with this
+ * slope (beyond 90 degrees it leans outwards), with an opening 1 x 0.5 m in the
+ * roof. */
 static struct pp_world *sloped_room(double slope_deg, const char *surroundings)
 {
     double c = cos(slope_deg * PP_RAD), s = sin(slope_deg * PP_RAD);
-    /* From (4, 2) 3 m up the slope, then level. */
+    /* From (4, 2) 3 m up the slope, then horizontal. */
     double top[2] = {4.0 - 3.0 * c, 2.0 + 3.0 * s};
     const double profile_xz[5][2] = {
         {0.0, 0.0}, {4.0, 0.0}, {4.0, 2.0}, {top[0], top[1]}, {0.0, top[1]}};
@@ -258,7 +261,7 @@ static struct pp_world *sloped_room(double slope_deg, const char *surroundings)
     add_prism(&text, &profile);
     add(&text, "</envelope><opening maintenance=\"auto\">");
     static const double corner[4][2] = {{1.0, 2.0}, {1.0, 1.0}, {1.5, 1.0}, {1.5, 2.0}};
-    for (int i = 0; i < 4; i++) /* distance up the slope, then y */
+    for (int i = 0; i < 4; i++) /* distance along the slope, then y */
         add_vertex(&text, 4.0 - corner[i][0] * c, corner[i][1], 2.0 + corner[i][0] * s);
     add(&text, "</opening></room>");
     return pp_test_world(text.bytes);
@@ -278,7 +281,8 @@ static void maintenance_goes_by_slope_and_surroundings(void **state)
             const struct pp_opening *opening = &world->openings[0];
             assert_near(opening->slope_rad, cases[i].slope_deg * PP_RAD, 1e-12);
             assert_near(opening->maintenance, cases[i].rural - 0.1 * k, 1e-12);
-            /* The opening's long side is level, its short one climbs. */
+            /* The long side of the opening is horizontal, the short one follows the
+             * slope. */
             assert_near(opening->width_m, 1.0, 1e-12);
             assert_near(opening->height_m, 0.5, 1e-12);
             assert_true(opening->rectangle);
@@ -290,7 +294,7 @@ static void maintenance_goes_by_slope_and_surroundings(void **state)
         }
 }
 
-/* Half a millimetre off the face is typing; the opening lies in it all the same. */
+/* An opening half a millimetre off the face, by rounding, is moved into the face. */
 static void an_opening_is_drawn_into_the_face_it_is_near(void **state)
 {
     (void)state;
@@ -312,7 +316,8 @@ static void an_opening_is_drawn_into_the_face_it_is_near(void **state)
     pp_world_destroy(world);
 }
 
-/* The outer sides of walls and roof are taken for 0.2, whatever the finishes inside. */
+/* The outer faces of walls and roof have a reflectance of 0.2, for any finishes
+ * inside. */
 static void outer_sides_reflect_a_fifth(void **state)
 {
     (void)state;
@@ -325,8 +330,8 @@ static void outer_sides_reflect_a_fifth(void **state)
     pp_world_destroy(world);
 }
 
-/* Any prism over any simple profile closes, and holds the points that its profile
- * does: stars of random radius, drawn out along y. */
+/* Prisms over random simple profiles, stars extruded along y, are closed and contain
+ * the points that the profile contains. */
 static void random_prisms_close_and_hold_their_points(void **state)
 {
     (void)state;
@@ -362,7 +367,7 @@ static void random_prisms_close_and_hold_their_points(void **state)
             p.y += 3.4;
             assert_false(pp_position_in_room(world, p));
         }
-        /* The section's width by the profile's crossings of z = 5. */
+        /* The width of the section from the crossings of the profile with z = 5. */
         for (int i = 0; i < count; i++) {
             const double *a = xz[i], *b = xz[(i + 1) % count];
             if ((a[1] > 5.0) != (b[1] > 5.0)) {

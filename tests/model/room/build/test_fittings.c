@@ -1,4 +1,4 @@
-/* test_fittings.c - furniture, columns and partitions as the surfaces that they are. */
+/* test_fittings.c - furniture, columns and partitions as surfaces. */
 #include "methods/exact/exterior.h"
 #include "model/geometry/polygon.h"
 #include "tests/lib/room_of.h"
@@ -8,7 +8,7 @@
     "<finishes floor='0.2' walls='0.45' ceiling='0.7'/>"                               \
     "<window wall='south' left='1' sill='0.9' width='3' height='1.5'/>"
 
-/* The inside surfaces behind the faces and reveals. */
+/* Index of the first interior surface after faces and reveals. */
 static int first_of(const struct pp_world *world)
 {
     int i = world->face_count;
@@ -27,8 +27,8 @@ static double area_of(const struct pp_world *world)
     return sum;
 }
 
-/* A desk of 1.6 x 0.8 x 0.75 m, turned: four sides and a top; what is on the floor is no
- * surface. On legs of 0.1 m the underside is one, too. Sides look outwards. */
+/* A desk of 1.6 x 0.8 x 0.75 m, rotated: four sides and a top. Its base on the floor is
+ * not a surface; on legs of 0.1 m the underside is one. The sides face outwards. */
 static void furniture_is_a_box_without_what_stands_on_the_floor(void **state)
 {
     (void)state;
@@ -53,8 +53,8 @@ static void furniture_is_a_box_without_what_stands_on_the_floor(void **state)
     pp_world_destroy(world);
 }
 
-/* To the ceiling, of the walls' reflectance; a round one has the area of its circle and
- * stands about its middle. */
+/* Columns reach the ceiling and have the reflectance of the walls. A round column has
+ * the area of its circle, about its centre. */
 static void columns_reach_the_ceiling_and_keep_their_area(void **state)
 {
     (void)state;
@@ -90,8 +90,9 @@ static double sky_seen(const char *partition, double x, double y)
     return solid_angle;
 }
 
-/* Across the whole room no sky is seen behind it; of 2 m one sees over it what is above the
- * line from the eye over its edge: none of a head at 2.4 m from 0.3 m behind. */
+/* Behind a partition across the whole room no sky is visible. Over one of 2 m the part
+ * above the line from the eye over its top is visible: none of a window with its head
+ * at 2.4 m, from 0.3 m behind the partition. */
 static void a_partition_hides_the_sky_behind_it(void **state)
 {
     (void)state;
@@ -117,7 +118,7 @@ static void check_wrong(const char *fitting, const char *says)
     pp_mistakes_clear(&mistakes);
 }
 
-/* Said once, whatever number of sides is wrong. */
+/* One message, for any number of sides that are outside. */
 static void what_stands_in_a_room_is_all_inside(void **state)
 {
     (void)state;
@@ -129,8 +130,8 @@ static void what_stands_in_a_room_is_all_inside(void **state)
                 "expected all of it inside");
 }
 
-/* Within a wardrobe, a round column and a partition, and on the floor under them, light is
- * not measured; on the plane over a desk it is. */
+/* Points inside a wardrobe, a round column or a partition, or on the floor below them,
+ * are rejected; points above a desk are accepted. */
 static void no_light_is_measured_within_what_stands_in_a_room(void **state)
 {
     (void)state;
@@ -150,7 +151,7 @@ static void no_light_is_measured_within_what_stands_in_a_room(void **state)
              "<point x='2.3' y='2.2'/></room>"));
 }
 
-/* Two of the nine cells of 1.7 by 1.3 m have their middles in it. */
+/* The centres of two of the nine cells of 1.7 by 1.3 m are inside. */
 static void grids_leave_out_what_stands_in_a_room(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* test_receivers.c - where light is measured, and where it can't be. */
+/* test_receivers.c - receivers: their positions, and positions that are not allowed. */
 #include "model/geometry/polygon.h"
 #include "model/room/world.h"
 #include "tests/lib/room_of.h"
@@ -24,7 +24,8 @@ static struct pp_world *rectangle_with(double width, double depth, const char *p
     return room_with(plan, parts);
 }
 
-/* 4 x 6 m at 0.25 m without a margin: 384 cells; the first centre an eighth in. */
+/* 4 x 6 m at 0.25 m without a margin: 384 cells; the first centre is 0.125 m from the
+ * walls. */
 static void a_grid_has_the_cells_that_the_plan_divides_into(void **state)
 {
     (void)state;
@@ -41,8 +42,8 @@ static void a_grid_has_the_cells_that_the_plan_divides_into(void **state)
     pp_world_destroy(world);
 }
 
-/* 4.3 - 1.2 = 3.1 m makes 7 cells of at most 0.5 m, 5.7 - 1.2 = 4.5 m makes 9 of just
- * 0.5 m (and not ten, by rounding). */
+/* 4.3 - 1.2 = 3.1 m makes 7 cells of at most 0.5 m, 5.7 - 1.2 = 4.5 m makes 9 of
+ * exactly 0.5 m (not ten, in spite of rounding). */
 static void cells_are_equal_and_no_larger_than_the_spacing(void **state)
 {
     (void)state;
@@ -76,8 +77,8 @@ static void the_default_grid_is_half_a_metre_inside_half_a_metre(void **state)
     pp_world_destroy(bare);
 }
 
-/* No centre is nearer to a wall than the margin, and none that is farther is missing.
- */
+/* No centre is nearer to a wall than the margin, and no centre that is farther away is
+ * missing. */
 static void a_grid_keeps_its_margin_round_a_corner(void **state)
 {
     (void)state;
@@ -100,7 +101,7 @@ static void a_grid_keeps_its_margin_round_a_corner(void **state)
     pp_world_destroy(world);
 }
 
-/* Narrower than two margins: the default is one point, in the middle. */
+/* A plan narrower than two margins has one point in its middle by default. */
 static void a_tiny_room_is_measured_in_its_middle(void **state)
 {
     (void)state;
@@ -109,7 +110,7 @@ static void a_tiny_room_is_measured_in_its_middle(void **state)
     assert_near(world->receivers[0].position.x, 0.45, 1e-12);
     assert_near(world->receivers[0].position.y, 0.35, 1e-12);
     pp_world_destroy(world);
-    /* Just as wide as two margins: a line of points along its middle. */
+    /* Exactly as wide as two margins: a line of points along its middle. */
     world = rectangle_with(1.0, 3.0, "");
     assert_int_equal(world->receiver_count, 4);
     assert_near(world->receivers[2].position.x, 0.5, 1e-12);
@@ -216,7 +217,7 @@ static void a_place_is_refused_for_what_is_there(void **state)
             assert_null(fault);
         else if (cases[i].fault[0])
             assert_string_equal(fault, cases[i].fault);
-        else /* in a corner it may be said of any of the faces that meet */
+        else /* in a corner, the message may name any of the faces that meet there */
             assert_non_null(fault);
     }
 

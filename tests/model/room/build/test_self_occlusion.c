@@ -1,12 +1,14 @@
-/* test_self_occlusion.c - what the room's own faces and what stands in it can hide of an opening. */
+/* test_self_occlusion.c - which faces and objects in the room can hide parts of an
+ * opening. */
 #include <string.h>
 
 #include "methods/view/elevation.h"
 #include "tests/lib/room_of.h"
 
 #define BOX "<room version='1'><plan width='6' depth='5' height='2.8'/>"
-/* An L: a wing of 3 m to the south in the west, one of 4 m to the east in the north. Walls:
- * 1 south, 2 east of the south wing, 3 south of the east wing, 4 east, 5 north, 6 west. */
+/* An L-shaped room: a wing of 3 m to the south in the west, one of 4 m to the east in
+ * the north. Walls: 1 south, 2 east of the south wing, 3 south of the east wing, 4
+ * east, 5 north, 6 west. */
 #define L                                                                              \
     "<room version='1'><plan height='2.8'><vertex x='0' y='0'/><vertex x='3' y='0'/>"  \
     "<vertex x='3' y='3'/><vertex x='7' y='3'/><vertex x='7' y='6'/>"                  \
@@ -50,8 +52,8 @@ static void only_what_stands_free_makes_a_room_less_empty(void **state)
     }
 }
 
-/* The plane of wall 3 has what lies south of it behind it, and that of wall 2 what lies east
- * of it; only wall 2 looks at a wing. */
+/* Surfaces south of wall 3 are behind its plane, surfaces east of wall 2 behind that of
+ * wall 2; only wall 2 faces a wing. */
 static void a_wing_hides_on_the_side_on_which_it_lies(void **state)
 {
     (void)state;
@@ -74,7 +76,7 @@ static void a_wing_hides_on_the_side_on_which_it_lies(void **state)
     }
 }
 
-/* An opening has the same view where nothing is known beforehand. */
+/* The view is the same if all faces are tested. */
 static void a_view_is_that_of_all_faces_held_before_it(void **state)
 {
     (void)state;

@@ -1,8 +1,8 @@
-/* test_sense.c - rooms that are well formed and make no sense: what is said, and that
- * nothing more is.
+/* test_sense.c - rooms that are well formed but make no sense: their messages, and no
+ * further messages.
  *
- * One mistake each by file is in tests/model/room/read/wrong; here is what one mistake must not drag
- * along, and several at once.
+ * Single mistakes are in the files of tests/model/room/read/wrong; this file has
+ * combinations, and consequences that must not be reported.
  */
 #include <stdlib.h>
 #include <time.h>
@@ -14,8 +14,8 @@
 #define PLAN "<plan width=\"4.3\" depth=\"6.1\" height=\"2.9\"/>\n"
 #define ROOM(parts) "<room version=\"1\">\n" PLAN parts "</room>"
 
-/* The mistakes of the room are just these, "LINE words" each; words are all in the
- * message. */
+/* Asserts exactly these mistakes of the room, each as "LINE words"; the message must
+ * contain all words. */
 static void assert_mistakes(const char *xml, int count, const char *const *expected)
 {
     struct pp_mistakes mistakes;
@@ -58,7 +58,7 @@ static void all_mistakes_are_found_at_once(void **state)
         "7 (9, 1, 0.9) lies outside");
 }
 
-/* Parts that depend on an impossible plan are not reported as well; others are. */
+/* Parts that depend on an invalid plan are not reported; others are. */
 static void a_bad_plan_does_not_drag_the_rest_along(void **state)
 {
     (void)state;
@@ -76,7 +76,8 @@ static void a_bad_plan_does_not_drag_the_rest_along(void **state)
         "6 has no area");
 }
 
-/* Two walls half a millimetre apart are one by every measure that people type. */
+/* Two walls half a millimetre apart coincide within the accuracy of typed
+ * dimensions. */
 static void a_plan_does_not_come_too_near_to_itself(void **state)
 {
     (void)state;
@@ -89,7 +90,7 @@ static void a_plan_does_not_come_too_near_to_itself(void **state)
         "2 crosses or touches itself");
 }
 
-/* A clockwise plan is gone on with, turned round: its walls keep their names. */
+/* A clockwise plan is reversed after the message: its walls keep their names. */
 static void a_clockwise_plan_keeps_its_walls(void **state)
 {
     (void)state;
@@ -112,7 +113,8 @@ static void surfaces_stay_on_one_side_of_the_room_s_faces(void **state)
         ROOM("<surface reflectance=\"0.5\"><vertex x=\"1\" y=\"-0.5\" z=\"2\"/>"
              "<vertex x=\"2\" y=\"-0.5\" z=\"2\"/><vertex x=\"2\" y=\"0.5\" z=\"2\"/>"
              "</surface>\n"
-             /* Through the corner's edge, with both walls on one side of its plane. */
+             /* Through the edge at the corner, with both walls on one side of its
+              * plane. */
              "<surface reflectance=\"0.5\"><vertex x=\"-1\" y=\"-1\" z=\"1\"/>"
              "<vertex x=\"1\" y=\"1\" z=\"1\"/><vertex x=\"1\" y=\"1\" z=\"2\"/>"
              "<vertex x=\"-1\" y=\"-1\" z=\"2\"/></surface>\n"),
@@ -122,7 +124,7 @@ static void surfaces_stay_on_one_side_of_the_room_s_faces(void **state)
 static void a_reveal_may_not_reach_into_the_other_wing(void **state)
 {
     (void)state;
-    /* A slit of 0.3 m between two wings of a U. */
+    /* A gap of 0.3 m between the two wings of a U. */
     assert_mistake(
         "<room version=\"1\">\n<plan height=\"2.9\"><vertex x=\"0\" y=\"0\"/>"
         "<vertex x=\"6\" y=\"0\"/><vertex x=\"6\" y=\"5\"/><vertex x=\"3.3\" y=\"5\"/>"
@@ -149,7 +151,7 @@ static void a_block_keeps_clear_of_the_glass(void **state)
 static void a_skyline_keeps_clear_of_the_room(void **state)
 {
     (void)state;
-    /* Wall 3 of the L looks north; the other wing goes on 3 m beyond it. */
+    /* Wall 3 of the L-shape faces north; the other wing extends 3 m beyond it. */
     assert_mistake(
         "<room version=\"1\">\n<plan height=\"2.6\"><vertex x=\"0\" y=\"0\"/>"
         "<vertex x=\"6\" y=\"0\"/><vertex x=\"6\" y=\"3\"/><vertex x=\"2\" y=\"3\"/>"
@@ -159,8 +161,8 @@ static void a_skyline_keeps_clear_of_the_room(void **state)
         "3 extend 3 m beyond that wall");
 }
 
-/* A box of these faces, from one corner to the other; where it is `solid`, its faces
- * look outwards. */
+/* Adds the faces of a box from one corner to the other; if `solid`, its faces point
+ * outwards. */
 static int add_box(char *xml, size_t space, const double a[3], const double b[3],
                    bool solid, const char *name)
 {
@@ -184,7 +186,8 @@ static int add_box(char *xml, size_t space, const double a[3], const double b[3]
     return length;
 }
 
-/* A pillar that does not reach the ceiling is part of a room; a second room is not. */
+/* A pillar that does not reach the ceiling is part of a room; a second, separate room
+ * is not. */
 static void an_envelope_is_one_room_and_what_stands_in_it(void **state)
 {
     (void)state;
@@ -211,8 +214,8 @@ static void an_envelope_is_one_room_and_what_stands_in_it(void **state)
     }
 }
 
-/* Every edge is shared by two faces, but the roof hangs down in a funnel through the
- * floor. */
+/* Every edge is shared by two faces, but the roof extends through the floor like a
+ * funnel. */
 static void faces_meet_in_their_edges_only(void **state)
 {
     (void)state;
@@ -256,7 +259,7 @@ static void faces_meet_in_their_edges_only(void **state)
 #undef TIP
 }
 
-/* Lists that would take minutes to compare are refused, and quickly. */
+/* Lists whose comparison would take minutes are rejected quickly. */
 static void far_too_many_parts_are_refused_at_once(void **state)
 {
     (void)state;
@@ -276,7 +279,7 @@ static void far_too_many_parts_are_refused_at_once(void **state)
         snprintf(xml + length, space - length, "</room>");
         clock_t start = clock();
         assert_mistake(xml, "1 40000 openings");
-        /* A second of it is far more than reading alone takes. */
+        /* Reading alone takes far less than a second. */
         assert_true((double)(clock() - start) / CLOCKS_PER_SEC < 10.0);
     }
     free(xml);

@@ -1,4 +1,4 @@
-/* test_building_site.c - rooms placed in a building, and what stands outside them. */
+/* test_building_site.c - rooms placed in a building, and their surroundings. */
 #include <math.h>
 #include <stdio.h>
 
@@ -70,8 +70,8 @@ static double component_alone(const char *inside)
     "<plan width='4.2' depth='5.3' height='2.7'/>"                                     \
     "<window wall='south' left='0.9' sill='0.8' width='2.4' height='1.5'/>"
 
-/* The room's own x, y, z of a point of the building, for a room at (11.3, -4.7, 6.1)
- * turned by 30 degrees, worked out beside the program. */
+/* Coordinates of a point of the building in the axes of a room at (11.3, -4.7, 6.1),
+ * rotated by 30 degrees, calculated independently. */
 static void a_placed_room_has_the_site_in_its_own_axes(void **state)
 {
     (void)state;
@@ -106,7 +106,8 @@ static void a_room_is_turned_with_its_bearing(void **state)
     pp_building_destroy(building);
 }
 
-/* 5.3 m deep and 2.7 m high, 9.1 m before the window: as a block of that size. */
+/* A room 5.3 m deep and 2.7 m high, 9.1 m in front of the window, compared with a block
+ * of that size. */
 static void a_room_shades_as_a_block_of_its_size(void **state)
 {
     (void)state;
@@ -240,8 +241,9 @@ static void a_wall_before_another_room_is_an_inner_one(void **state)
     pp_building_destroy(building);
 }
 
-/* Seen from far below, a gable's ridge hides what a flat roof of the ridge's height and
- * no depth hides: the sky above the eaves goes down to the ridge's altitude. */
+/* Seen from far below, the ridge of a gable roof hides the same sky as a flat roof of
+ * the ridge's height without depth: the sky above the eaves extends down to the
+ * altitude of the ridge. */
 static void a_roof_hides_sky_up_to_its_ridge(void **state)
 {
     (void)state;
@@ -254,7 +256,7 @@ static void a_roof_hides_sky_up_to_its_ridge(void **state)
     snprintf(wall, sizeof wall,
              ROOM "<block x='-300' y='-22' width='600' depth='0.001' height='%.17g'/>",
              ridge_m);
-    /* The eaves, 4 m nearer and 3.4 m lower, are hidden behind the line to the ridge. */
+    /* The eaves, 4 m nearer and 3.4 m lower, are below the line to the ridge. */
     assert_true((6.0 - 1.55) / 18.0 < (ridge_m - 1.55) / 22.0);
     assert_near(gable, component_alone(wall), 1e-6);
     assert_true(gable < flat - 1e-3);

@@ -1,4 +1,4 @@
-/* test_facades.c - the outside of a wall: its sheet, its holes and their rims. */
+/* test_facades.c - the façade of a wall: its surface, its holes and their edges. */
 #include "model/room/room.h"
 #include "model/room/world.h"
 #include "tests/lib/room_of.h"
@@ -17,7 +17,8 @@
     "<vertex x='4.3' y='3.3' z='0.8'/><vertex x='4.3' y='3.3' z='2.0'/>"               \
     "<vertex x='4.3' y='3.8' z='2.4'/><vertex x='4.3' y='4.3' z='2.0'/></opening>"
 
-/* Measures of a facade's pieces: the sheet's normal is `out`, rims lie across. */
+/* Areas of a façade's pieces: the normal of the main surface is `out`; the edges of
+ * holes are perpendicular to it. */
 struct measure {
     double sheet_m2, rim_m2;
     int pieces;
@@ -39,7 +40,7 @@ static struct measure measure_of(const struct pp_world *world, struct pp_vec3 ou
     return sum;
 }
 
-/* 2.3 m to the left, 3.1 to the right, 1.7 up, and down as far as the ground. Seen from
+/* 2.3 m to the left, 3.1 to the right, 1.7 up, and down to the ground. Seen from
  * outside, left of an east wall is south. */
 static void a_sheet_is_its_rectangle_less_the_openings(void **state)
 {
@@ -60,7 +61,8 @@ static void a_sheet_is_its_rectangle_less_the_openings(void **state)
 
     struct measure sum = measure_of(world, pp_vec(1.0, 0.0, 0.0));
     assert_near(sum.sheet_m2, 11.5 * 5.0 - 1.9 * 1.3 - 1.4, 1e-7);
-    /* The first opening's glass stands in the sheet; the other's 0.17 m behind it. */
+    /* The glass of the first opening is in the plane of the façade; that of the other
+     * is 0.17 m behind it. */
     assert_near(world->openings[0].recess_m, 0.0, 0.0);
     assert_near(world->openings[1].recess_m, 0.17, 1e-12);
     double round_m = 1.0 + 2.0 * 1.2 + 2.0 * hypot(0.5, 0.4);
@@ -76,7 +78,7 @@ static bool same(struct pp_vec3 a, struct pp_vec3 b)
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
-/* Is there an edge from b to a in this outline? */
+/* True if the outline contains the edge from b to a. */
 static bool runs_back(const struct pp_polygon *outline, struct pp_vec3 a,
                       struct pp_vec3 b)
 {
@@ -87,7 +89,7 @@ static bool runs_back(const struct pp_polygon *outline, struct pp_vec3 a,
     return false;
 }
 
-/* Do both ends lie on one side of the rectangle? */
+/* True if both ends are on one side of the rectangle. */
 static bool is_border(const struct pp_facade *facade, struct pp_vec3 a,
                       struct pp_vec3 b)
 {
@@ -101,8 +103,9 @@ static bool is_border(const struct pp_facade *facade, struct pp_vec3 a,
     return false;
 }
 
-/* Each edge of a piece is another piece's run back, to the bit, or the glass's edge, or
- * the sheet's border: no gap for a ray to slip through. */
+/* Each edge of a piece is exactly an edge of another piece in the opposite direction,
+ * an edge of the glass, or the border of the façade, so no ray can pass between
+ * pieces. */
 static void no_light_gets_between_the_pieces(void **state)
 {
     (void)state;
@@ -136,7 +139,8 @@ static void no_light_gets_between_the_pieces(void **state)
     pp_world_destroy(world);
 }
 
-/* A facade in the plane of the wall leaves out the wall, whose back it is. */
+/* A façade in the plane of the wall omits the part in front of the wall, whose back is
+ * the façade. */
 static void in_the_wall_s_own_plane_the_wall_is_the_facade(void **state)
 {
     (void)state;
@@ -158,8 +162,8 @@ static void in_the_wall_s_own_plane_the_wall_is_the_facade(void **state)
     pp_world_destroy(world);
 }
 
-/* The facade of one leg of a U goes on over the other: that leg's window has a hole, as
- * deep as it stands back. */
+/* The façade of one leg of a U extends across the other leg: it has a hole for the
+ * window of that leg, as deep as the distance of the window. */
 static void the_other_wing_s_window_has_its_hole_too(void **state)
 {
     (void)state;
@@ -177,7 +181,7 @@ static void the_other_wing_s_window_has_its_hole_too(void **state)
     pp_world_destroy(world);
 }
 
-/* A neighbour's house may touch the sheet or stand in it. */
+/* A neighbouring house may touch the façade or extend into it. */
 static void a_block_may_stand_in_the_sheet(void **state)
 {
     (void)state;
@@ -190,7 +194,7 @@ static void a_block_may_stand_in_the_sheet(void **state)
     pp_world_destroy(world);
 }
 
-/* "What stands outside" are the neighbours; one's own facade stays. */
+/* "Without surroundings" removes the neighbours but not the room's own façade. */
 static void a_room_without_surroundings_keeps_its_facade(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_neighbours.c - what rooms of a building carry outside stands before the others: as
- * the same polygons do that a room alone has as surfaces. */
+/* test_neighbours.c - exterior parts of a building's rooms obstruct the other rooms in
+ * the same way as equal polygons in the file of a single room. */
 #include <math.h>
 #include <stdio.h>
 
@@ -7,8 +7,8 @@
 #include "model/room/building.h"
 #include "tests/lib/room_of.h"
 
-/* World of that room of the building, whose element has these attributes; line: with its
- * mirror image there, NULL: as proposed. */
+/* World of a room of the building, whose element has these attributes. line: adds the
+ * mirror image at this boundary; NULL: as proposed. */
 static struct pp_world *world_by(const char *attributes, const char *inside, int index,
                                  const struct pp_mirror_line *line)
 {
@@ -68,8 +68,8 @@ static double component_alone(const char *inside)
 #define WINDOW "<window wall='south' left='0.9' sill='0.8' width='2.4' height='1.5'"
 #define ROOM PLAN WINDOW "/>"
 
-/* A balcony 1.4 m deep before the room above, 3.1 m up; it begins in the plane of the glass
- * below it. */
+/* A balcony 1.4 m deep in front of the room above, 3.1 m up; it begins in the plane of
+ * the glass below it. */
 static void a_balcony_above_is_four_plates(void **state)
 {
     (void)state;
@@ -89,8 +89,8 @@ static void a_balcony_above_is_four_plates(void **state)
     assert_true(below < component_alone(ROOM) - 0.05);
 }
 
-/* Turned by 180 degrees and 9 m off: its front is a rectangle, 2.3 m longer to its right
- * (our right is its left), up to 7.9 m, 0.35 m before its wall. */
+/* A room rotated by 180 degrees, 9 m away: its façade is a rectangle, 2.3 m longer to
+ * its right (our left), up to 7.9 m, 0.35 m in front of its wall. */
 static void a_facade_opposite_hides_its_rectangle(void **state)
 {
     (void)state;
@@ -110,8 +110,8 @@ static void a_facade_opposite_hides_its_rectangle(void **state)
                              - 0.05);
 }
 
-/* Overhang, fin and a light shelf of a room at an angle, with a screen of its own: worked
- * out in the other room's axes beside the program. */
+/* Overhang, fin and light shelf of a rotated room, and a screen of its own, calculated
+ * independently in the axes of the other room. */
 static void what_a_turned_room_carries_is_turned_with_it(void **state)
 {
     (void)state;
@@ -146,8 +146,8 @@ static void what_a_turned_room_carries_is_turned_with_it(void **state)
     assert_true(before < bare);
 }
 
-/* A front that goes on for 30 m over the storeys above and below, flush or 0.3 m out, takes
- * nothing of the sky of windows that stand in it: theirs is what they have alone. */
+/* A façade that extends 30 m past the storeys above and below, flush or 0.3 m out,
+ * hides no sky from the windows in it: their sky is that of the room alone. */
 static void a_front_hides_nothing_of_the_windows_in_it(void **state)
 {
     (void)state;
@@ -164,15 +164,16 @@ static void a_front_hides_nothing_of_the_windows_in_it(void **state)
         " reveal='0.1'/><facade wall='south' depth='0.3'/></room>";
     assert_near(component_in(deep, 1), component_alone(PLAN WINDOW " reveal='0.3'/>"),
                 1e-9);
-    /* Seen from 0.2 m behind the sheet; its own goes on to all sides no further. */
+    /* Seen from 0.2 m behind the façade; the room's own façade extends no further in
+     * any direction. */
     assert_near(component_in(deep, 2),
                 component_alone(PLAN WINDOW " reveal='0.1'/><facade wall='south' "
                                             "depth='0.3'/>"),
                 1e-9);
 }
 
-/* Two storeys with half a metre between them that a facade closes: from opposite the wall
- * is one, 6.1 m high. */
+/* Two storeys half a metre apart, and a façade that closes the gap: from opposite it is
+ * one wall, 6.1 m high. */
 static void a_front_leaves_no_gap_between_storeys(void **state)
 {
     (void)state;
@@ -194,7 +195,7 @@ static void a_front_leaves_no_gap_between_storeys(void **state)
     assert_true(gaping > one + 1e-4);
 }
 
-/* A bay stands 1.2 m out of the front of its neighbour, whose facade ends there. */
+/* A bay extends 1.2 m out of the façade of its neighbour, which ends there. */
 static void a_front_ends_at_a_bay_that_comes_through_it(void **state)
 {
     (void)state;
@@ -203,7 +204,8 @@ static void a_front_ends_at_a_bay_that_comes_through_it(void **state)
                      "depth='0.2'/></room><room x='4.2' y='-1.2'>" ROOM "</room>",
                      1);
     assert_near(bay, component_alone(ROOM), 1e-9);
-    /* The room's west wall looks along the front, which begins 1 m behind its window. */
+    /* The west wall of the room faces along the façade, which begins 1 m behind its
+     * window. */
     double aside = component_in(
         "<room x='0' y='0'>" ROOM "<facade wall='south' right='9' depth='0.2'/></room>"
         "<room x='4.2' y='-3'>" PLAN "<window wall='west' left='3.4' sill='0.8' "
@@ -216,8 +218,8 @@ static void a_front_ends_at_a_bay_that_comes_through_it(void **state)
     assert_near(aside, plate, 1e-9);
 }
 
-/* A block that two rooms repeat stands there once, that of a room also before others, and
- * only in its state: the file is read as proposed. */
+/* A block that two rooms repeat exists once. A room's block also obstructs the other
+ * rooms, but only in its own state: the file is read as proposed. */
 static void a_rooms_own_block_shades_the_others_in_its_state(void **state)
 {
     (void)state;
@@ -239,9 +241,9 @@ static void a_rooms_own_block_shades_the_others_in_its_state(void **state)
                 component_alone(ROOM), 1e-12);
 }
 
-/* A room 4.2 by 5.3 by 2.7 m has 44.52 m2 of floor and roof and 51.3 m2 of walls, of which a
- * window is 3.6 m2: as panes of 0.15 among walls of 0.2, or of 0.35 where a facade in the
- * plane of the south wall (11.34 m2) says so. */
+/* A room 4.2 by 5.3 by 2.7 m has 44.52 m2 of floor and roof and 51.3 m2 of walls,
+ * including a window of 3.6 m2. Panes have a reflectance of 0.15; walls have 0.2, or
+ * 0.35 where a façade in the plane of the south wall (11.34 m2) sets it. */
 static void panes_are_areas_of_their_own_reflectance(void **state)
 {
     (void)state;
@@ -275,10 +277,10 @@ static void panes_are_areas_of_their_own_reflectance(void **state)
     }
 }
 
-/* A house 5.3 m deep whose front is 4 m behind a boundary at 30 degrees, seen from its window:
- * the mirror image is the box turned by 60 degrees more about the mirrored corner, worked out
- * beside the program, with a facade up to 6 m. What is proposed and what goes is not
- * there. */
+/* A house 5.3 m deep whose façade is 4 m behind a boundary at 30 degrees, seen from its
+ * window. The mirror image is the box rotated by 60 degrees about the mirrored corner,
+ * calculated independently, with a façade up to 6 m. Proposed blocks and blocks to be
+ * demolished are not included. */
 static void the_mirror_image_is_the_house_beyond_the_boundary(void **state)
 {
     (void)state;
@@ -292,7 +294,7 @@ static void the_mirror_image_is_the_house_beyond_the_boundary(void **state)
     struct pp_world *world = world_by("", inside, 0, &line);
     double mirrored = component_of(world);
     pp_world_destroy(world);
-    /* A corner of the building and its image, in the room's own axes. */
+    /* A corner of the building and its mirror image, in the axes of the room. */
     char alone[4096], *end = alone;
     const double corners[4][2] = {{-6, 1}, {-1.8, 1}, {-1.8, 6.3}, {-6, 6.3}};
     double image[4][2];

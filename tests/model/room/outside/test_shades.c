@@ -12,7 +12,7 @@
     "<window wall='south' left='0.9' sill='0.8' width='2.4' height='1.5' "             \
     "reveal='" reveal "'>" inside "</window>"
 
-/* The surfaces that belong to no face and no reveal have these extents. */
+/* Asserts the extents of a surface that belongs to no face or reveal. */
 static void extends(const struct pp_surface *surface, struct pp_vec3 low,
                     struct pp_vec3 high)
 {
@@ -35,7 +35,7 @@ static const struct pp_surface *shade(const struct pp_world *world, int index)
     return NULL;
 }
 
-/* South faces -y: left as drawn from outside is low x. */
+/* South is -y: left, as seen from outside, is low x. */
 static void an_overhang_begins_at_the_glass(void **state)
 {
     (void)state;
@@ -95,7 +95,7 @@ static void a_shelf_goes_on_in_the_room(void **state)
     pp_world_destroy(world);
 }
 
-/* By the east wall right is +y seen from outside: +y is to the right for who looks west. */
+/* On the east wall right is +y, seen from outside (facing west). */
 static void it_moves_with_its_window(void **state)
 {
     (void)state;

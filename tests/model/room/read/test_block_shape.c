@@ -1,4 +1,4 @@
-/* test_block_shape.c - roofs of blocks outside. */
+/* test_block_shape.c - roofs of blocks. */
 #include "model/room/read/block_shape.h"
 
 #include <math.h>
@@ -11,8 +11,9 @@
 #define EAVES 5.2
 #define PITCH (37.0 * PP_RAD)
 
-/* Volume (m3) over the eaves, by Gauss from faces that close it but for its level base,
- * whose share is nothing where z is counted from it. */
+/* Volume above the eaves (m3), by the divergence theorem over the faces. They are
+ * closed except for the horizontal base, which contributes nothing if z is measured
+ * from it. */
 static double volume(enum pp_roof roof, enum pp_ridge ridge, double width, double depth)
 {
     struct pp_block_shape_face faces[PP_BLOCK_SHAPE_ROOF_MOST];
@@ -29,7 +30,7 @@ static double volume(enum pp_roof roof, enum pp_ridge ridge, double width, doubl
             area = pp_vec_add(area, own);
             sum += pp_vec_dot(t[0], own) / 3.0;
         }
-    /* The faces close all but the base. */
+    /* The faces are closed except for the base. */
     assert_near(area.x, 0.0, 1e-12);
     assert_near(area.y, 0.0, 1e-12);
     assert_near(area.z, width * depth, 1e-12);
@@ -60,7 +61,8 @@ static void a_mono_pitch_roof_is_a_wedge(void **state)
                 0.5 * WIDTH * DEPTH * WIDTH * tan(PITCH), 1e-12);
 }
 
-/* w, l: the shorter and the longer side; the ends' two half pyramids are one. */
+/* w, l: the shorter and the longer side; the half pyramids at both ends form one
+ * pyramid. */
 static void a_hip_roof_is_a_prism_and_a_pyramid(void **state)
 {
     (void)state;

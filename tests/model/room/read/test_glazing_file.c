@@ -1,4 +1,4 @@
-/* test_glazing_file.c - windows whose glass is a file of measured data. */
+/* test_glazing_file.c - windows whose glass is described by a file of measured data. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>

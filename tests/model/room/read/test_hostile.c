@@ -1,6 +1,5 @@
-/* test_hostile.c - room files that are made to harm: refused, or read rightly, within
- * seconds and in bounded memory. Those of a few lines are in tests/model/room/read/wrong.
- */
+/* test_hostile.c - malicious room files are rejected, or read correctly, within seconds
+ * and with limited memory. Short files are in tests/model/room/read/wrong. */
 #include <signal.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -18,10 +17,9 @@
 
 #define PLAN "<plan width='4.2' depth='5.3' height='2.7'/>"
 
-/* Most of them take a tenth of a second of the processor's time, on a slow machine some
- * half a second; what takes the square of its size would need minutes. More where every
- * access is watched.
- */
+/* Most of these files take a tenth of a second of processor time, half a second on a
+ * slow machine. An algorithm of quadratic time would need minutes. More time is allowed
+ * with sanitizers. */
 static double seconds_allowed(void)
 {
     const char *preloaded = getenv("LD_PRELOAD");
@@ -42,7 +40,7 @@ static struct outcome parse(const char *bytes, size_t length)
     struct pp_building *building;
     struct pp_mistakes mistakes;
     struct pp_error err = {0};
-    /* Exactly as long as the bytes, so that a look beyond them is seen. */
+    /* A copy of exactly this length, so that a read beyond its end is detected. */
     char *copy = malloc(length ? length : 1);
     assert_non_null(copy);
     memcpy(copy, bytes, length);
@@ -70,7 +68,7 @@ static struct outcome parse_text(const char *text)
     return parse(text, strlen(text));
 }
 
-/* head, then unit as often as it fits, then tail, size bytes at most. */
+/* head, then `unit` repeated as often as possible, then tail; at most `size` bytes. */
 static char *repeated(const char *head, const char *unit, const char *tail, size_t size)
 {
     size_t head_size = strlen(head), unit_size = strlen(unit), tail_size = strlen(tail);
@@ -84,15 +82,15 @@ static char *repeated(const char *head, const char *unit, const char *tail, size
     return text;
 }
 
-/* Text that would take the square of its size, if anything here did: 4 MiB of it; under
- * sanitizers enough for 200,000 elements. */
+/* Files for which a quadratic algorithm would be slow: 4 MiB; under sanitizers enough
+ * for 200,000 elements. */
 static void bulk_takes_no_more_than_its_share(void **state)
 {
     (void)state;
     static const char room[] = "<room version='1'>" PLAN;
     static const struct {
         const char *head, *unit, *tail;
-        const char *words; /* NULL: read rightly */
+        const char *words; /* NULL: read without a mistake */
     } bulk[] = {
         {"<room", " a=''", "/>", "a tag of more than 65536 bytes"},
         {"<room name='", "x", "'/>", "a tag of more than 65536 bytes"},
@@ -136,7 +134,8 @@ static void bulk_takes_no_more_than_its_share(void **state)
     }
 }
 
-/* A billion laughs, an outside entity, outside and parameter DTDs. */
+/* Exponential entity expansion ("billion laughs"), an external entity, and external and
+ * parameter DTDs. */
 static void entities_are_neither_expanded_nor_fetched(void **state)
 {
     (void)state;
@@ -164,7 +163,7 @@ static void entities_are_neither_expanded_nor_fetched(void **state)
     }
 }
 
-/* An element of XInclude is one that is not known: the other room stays away. */
+/* An XInclude element is an unknown element: the other file is not read. */
 static void no_other_file_is_included(void **state)
 {
     (void)state;
@@ -182,10 +181,10 @@ static void no_other_file_is_included(void **state)
     assert_int_equal(outcome.status, PP_BAD_INPUT);
     assert_non_null(strstr(outcome.text, "a room file has no namespaces"));
     assert_true(outcome.mistakes
-                >= 2); /* include is no element, and there is no plan */
+                >= 2); /* include is not an element, and there is no plan */
 }
 
-/* A mistake has the line of its cause, not of the place where reading ended. */
+/* A mistake is reported at its cause, not at the position where reading stopped. */
 static void malformed_xml_is_named_with_its_line(void **state)
 {
     (void)state;
@@ -225,7 +224,7 @@ static void malformed_xml_is_named_with_its_line(void **state)
     }
 }
 
-/* Writes to `sink` until nobody reads, then tells how many bytes that took. */
+/* Writes to `sink` until the reader closes it, then reports the number of bytes. */
 static void write_nesting_for_ever(int sink, int tell)
 {
     char chunk[30000];
@@ -262,7 +261,7 @@ static void endless_input_is_left_at_the_limit_of_size(void **state)
     clock_t start = clock();
     assert_int_equal(pp_building_read(&building, "-", &mistakes, &err), PP_BAD_INPUT);
     assert_true((double)(clock() - start) / CLOCKS_PER_SEC <= seconds_allowed());
-    dup2(input, STDIN_FILENO); /* nobody reads the pipe now */
+    dup2(input, STDIN_FILENO); /* only the child still reads the pipe */
     close(input);
     assert_null(building);
     assert_int_equal(mistakes.count, 1);
@@ -274,12 +273,12 @@ static void endless_input_is_left_at_the_limit_of_size(void **state)
     close(count[0]);
     close(count[1]);
     assert_int_equal(waitpid(writer, NULL, 0), writer);
-    /* Bytes read, and those that the pipe held besides (64 KiB, a chunk under way). */
+    /* Bytes read, and those still in the pipe (64 KiB, and a chunk in progress). */
     assert_true(written <= PP_READ_ELEMENTS_BYTES_MOST + 1 + (1 << 20));
 }
 
-/* Nothing above has taken much: twice the file and its tree, with room to spare. */
-/* AddressSanitizer keeps what was freed, and shadows all: it is not measured here. */
+/* The tests above used little memory: twice the file and its tree, with a margin. */
+/* AddressSanitizer keeps freed memory, so memory is not measured here. */
 static void memory_stays_bounded(void **state)
 {
     (void)state;
@@ -307,7 +306,7 @@ static void the_limit_of_size_is_exact(void **state)
     free(text);
 }
 
-/* Some parsers keep lines in 16 bits. */
+/* Some parsers store line numbers in 16 bits. */
 static void lines_beyond_65535_are_counted_rightly(void **state)
 {
     (void)state;
@@ -385,7 +384,7 @@ static void a_file_cut_anywhere_is_refused_for_that_alone(void **state)
     }
 }
 
-/* Whatever becomes of one byte, reading ends with a verdict. */
+/* With any single byte changed, reading ends with a result. */
 static void any_byte_may_be_any_of_the_dangerous_ones(void **state)
 {
     (void)state;
@@ -401,7 +400,7 @@ static void any_byte_may_be_any_of_the_dangerous_ones(void **state)
         }
 }
 
-/* Unreadable input is no mistake in the file. */
+/* An unreadable file is reported as such, not as a mistake in its contents. */
 static void what_is_no_file_is_said_to_be_none(void **state)
 {
     (void)state;

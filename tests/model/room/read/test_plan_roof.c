@@ -2,8 +2,8 @@
  * envelope. */
 #include "tests/lib/room_of.h"
 
-/* By Gauss's theorem, from the faces, whose normals point into the room; *closed is the
- * length of the sum of all area vectors, 0 of a closed envelope. */
+/* Volume by the divergence theorem, from the faces, whose normals point into the room.
+ * *closed is the length of the sum of all area vectors, 0 for a closed envelope. */
 static double volume_of(const struct pp_world *world, double *closed)
 {
     struct pp_vec3 sum = {0.0, 0.0, 0.0};
@@ -40,8 +40,8 @@ static void check(double width, double depth, const char *roof, double volume,
     pp_world_destroy(world);
 }
 
-/* Over a plan of 5 x 8 m with eaves at 2.2 m, along the longer side and across it. A hip
- * roof is a gable roof less two pyramids of half its width. */
+/* Over a plan of 5 x 8 m with eaves at 2.2 m, with the ridge along the longer side and
+ * across it. A hip roof is a gable roof without two pyramids of half its width. */
 static void a_roof_has_the_volume_of_its_prism(void **state)
 {
     (void)state;
@@ -73,8 +73,8 @@ static const struct pp_surface *face_called(const struct pp_world *world,
     return NULL;
 }
 
-/* By the side that they look to; walls keep their sides however the ridge runs. Lights
- * look the way the roof rises. */
+/* Slopes are named by the direction that they face; walls keep their names for any
+ * ridge. */
 static void walls_and_slopes_are_named_by_the_way_they_look(void **state)
 {
     (void)state;
@@ -104,7 +104,8 @@ static void walls_and_slopes_are_named_by_the_way_they_look(void **state)
     pp_world_destroy(teeth);
 }
 
-/* A window of a slope stands by left and sill along it, left as seen from outside. */
+/* A window in a slope has `left` and `sill` along the slope, left as seen from
+ * outside. */
 static void a_window_lies_in_a_slope_by_left_and_sill(void **state)
 {
     (void)state;

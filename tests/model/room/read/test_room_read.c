@@ -1,4 +1,5 @@
-/* test_room_read.c - every element and attribute of a room file in its right place. */
+/* test_room_read.c - every element and attribute of a room file is stored in the right
+ * field. */
 #include "model/room/building.h"
 
 #include <stdio.h>
@@ -165,7 +166,7 @@ static void the_contract_s_own_room(void **state)
     pp_building_destroy(b);
 }
 
-/* The five entities of XML and characters by number are what they stand for. */
+/* The five entities of XML and numeric character references are replaced. */
 static void names_may_be_escaped(void **state)
 {
     (void)state;
@@ -178,7 +179,7 @@ static void names_may_be_escaped(void **state)
     pp_building_destroy(b);
 }
 
-/* Defaults are those of the contract and the conventions. */
+/* Defaults are those documented in the manual. */
 static void the_smallest_room(void **state)
 {
     (void)state;
@@ -244,7 +245,7 @@ static void plans_by_vertices_and_envelopes(void **state)
     pp_building_destroy(b);
 }
 
-/* Wherever they stand in the building. */
+/* The position of the elements in the building does not matter. */
 static void a_building_s_site_and_sky_are_its_rooms_defaults(void **state)
 {
     (void)state;

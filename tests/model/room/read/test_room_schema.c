@@ -1,6 +1,6 @@
-/* test_room_schema.c - the schema for editors, docs/room.rng, and the reader know the same
- * names, numbers and examples. The wrong rooms are put to both by test_wrong_rooms.c.
- */
+/* test_room_schema.c - the schema for editors, docs/room.rng, and the reader accept the
+ * same names, numbers and examples. test_wrong_rooms.c tests both with the wrong
+ * rooms. */
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -159,7 +159,7 @@ static void schema_and_reader_take_the_examples(void **state)
     editor_schema_destroy(schema);
 }
 
-/* An attribute's message ends with what was expected, and has words for it. */
+/* The message for an attribute ends with the expected values. */
 static void see_words(const struct pp_element_rule *rule, int depth, int *seen)
 {
     for (int i = 0; i < rule->attribute_count; i++, ++*seen)

@@ -1,4 +1,4 @@
-/* test_room_values.c - numbers, names and tables that a room file is read with. */
+/* test_room_values.c - numbers, names and tables used to read room files. */
 #include <locale.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -44,7 +44,7 @@ static void what_is_no_number_leaves_the_value_alone(void **state)
     }
 }
 
-/* A locale with a decimal comma, where the machine has one. */
+/* Uses a locale with a decimal comma, if installed. */
 static void numbers_have_a_point_in_every_locale(void **state)
 {
     (void)state;
@@ -67,7 +67,8 @@ static void slips_of_the_keyboard_are_near(void **state)
 {
     (void)state;
     assert_int_equal(pp_text_edit_distance("window", "window"), 0);
-    assert_int_equal(pp_text_edit_distance("windwo", "window"), 1); /* a swap */
+    assert_int_equal(pp_text_edit_distance("windwo", "window"),
+                     1); /* two letters exchanged */
     assert_int_equal(pp_text_edit_distance("windw", "window"), 1);
     assert_int_equal(pp_text_edit_distance("Window", "window"), 0);
     assert_int_equal(pp_text_edit_distance("", "sill"), 4);
@@ -100,7 +101,7 @@ static void lists_read_as_people_write_them(void **state)
     assert_string_equal(pp_text_list_names(little, sizeof little, names, -1), "x, y");
 }
 
-/* Contents of a file can't reach the terminal as a command, nor fill it. */
+/* Contents of a file cannot send control characters to the terminal or fill it. */
 static void excerpts_are_short_and_plain(void **state)
 {
     (void)state;
@@ -114,7 +115,7 @@ static void excerpts_are_short_and_plain(void **state)
     endless[sizeof endless - 1] = '\0';
     assert_int_equal(strlen(pp_text_excerpt(text, sizeof text, endless)), 43);
     assert_string_equal(pp_text_excerpt(little, sizeof little, "ääää"), "ää...");
-    /* Bytes that are no UTF-8 end it too. */
+    /* Bytes that are not valid UTF-8 end the excerpt too. */
     assert_int_equal(strlen(pp_text_excerpt(text, sizeof text, "\xE2")), 1);
 }
 
@@ -144,7 +145,7 @@ static void glazings_let_through_what_their_table_says(void **state)
     struct pp_glass two = pp_glazings_glass(pp_glazings_find("clear-double"));
     assert_near(two.normal, 0.8154, 5e-5);
     assert_near(two.diffuse, 0.7292, 5e-5);
-    /* The published correction for the type of glass, to the table's three digits. */
+    /* The published correction for the type of glass, to three digits. */
     static const struct {
         const char *name;
         double over_clear;

@@ -1,12 +1,12 @@
-/* test_wrong_rooms.c - every wrong room is refused, for its one mistake.
+/* test_wrong_rooms.c - every wrong room is rejected because of its one mistake.
  *
  * The rooms are in the text files of tests/model/room/read/wrong, which wrong_rooms.h
- * describes; each is a test by its title. Without arguments the tests run;
+ * describes; each is a test named by its title. Without arguments all tests run;
  *
- *     srcdir=FOLDER test_wrong_rooms --write TITLE        writes that room to standard output
- *     srcdir=FOLDER test_wrong_rooms --write-all FOLDER   writes every room, as TITLE.xml
+ *    srcdir=FOLDER test_wrong_rooms --write TITLE        writes that room to standard output
+ *    srcdir=FOLDER test_wrong_rooms --write-all FOLDER   writes every room, as TITLE.xml
  *
- * with - for the blanks of a title.
+ * with - instead of the blanks of a title.
  */
 #include <stdbool.h>
 #include <stdio.h>
@@ -18,14 +18,14 @@
 #include "tests/lib/near.h"
 #include "tests/model/room/read/wrong_rooms.h"
 
-/* ---- refused by the reader, and by the schema ---- */
+/* ---- rejected by the reader, and by the schema ---- */
 
 struct verdict {
     enum pp_status status;
     struct pp_mistakes mistakes;
 };
 
-/* Verdict on reading the room and making its world; clear its mistakes. */
+/* Result of reading the room and creating its world; the caller clears its mistakes. */
 static struct verdict verdict_on(const char *bytes, size_t length)
 {
     struct verdict verdict;
@@ -45,7 +45,7 @@ static struct verdict verdict_on(const char *bytes, size_t length)
     return verdict;
 }
 
-/* The same; fails where the XML library says something to the terminal meanwhile. */
+/* As above; fails if the XML library writes to the terminal. */
 static struct verdict silent_verdict_on(const struct wrong_room *room)
 {
     FILE *said = tmpfile();
@@ -65,7 +65,8 @@ static struct verdict silent_verdict_on(const struct wrong_room *room)
     return verdict;
 }
 
-/* One mistake; but what does not close may be said of several edges. */
+/* There must be one mistake; but an envelope that is not closed may have several, one
+ * for each edge. */
 static bool is_as_expected(const struct verdict *verdict, const struct wrong_room *room)
 {
     const struct pp_mistakes *mistakes = &verdict->mistakes;
@@ -78,13 +79,13 @@ static bool is_as_expected(const struct verdict *verdict, const struct wrong_roo
            && (mistakes->count == 1 || room->kind == WRONG_SENSE);
 }
 
-/* A room, and the schema that is asked about it. */
+/* A room, and the schema that validates it. */
 struct wrong_case {
     const struct wrong_room *room;
     const struct editor_schema *schema;
 };
 
-/* Fails with the place in the text file, and what was said instead. */
+/* Fails with the position in the text file and the actual messages. */
 static void fail_with(const struct wrong_room *room, const struct pp_mistakes *said)
 {
     print_message("# %s:%d: %s: expected line %d: %s\n", room->file, room->at,
@@ -111,7 +112,7 @@ static void room_is_refused(void **state)
                  takes ? "takes" : "refuses");
 }
 
-/* ---- what else holds of them ---- */
+/* ---- further properties of the cases ---- */
 
 static void source_path(char *path, size_t size, const char *name)
 {
@@ -120,7 +121,7 @@ static void source_path(char *path, size_t size, const char *name)
              name);
 }
 
-/* Else a case might be refused for what its base has. */
+/* Otherwise a case might be rejected because of its base room. */
 static void base_rooms_are_right(void **state)
 {
     (void)state;
@@ -143,14 +144,14 @@ static void base_rooms_are_right(void **state)
     }
 }
 
-/* Else a text file might have been left out. */
+/* Otherwise a text file might have been omitted. */
 static void wrong_rooms_are_hundreds(void **state)
 {
     const struct wrong_rooms *rooms = *state;
     assert_true(rooms->count > 350);
 }
 
-/* All that is wrong is said at once, in the order of the lines. */
+/* All mistakes are reported together, in the order of the lines. */
 static void many_mistakes_of_one_file_are_all_told(void **state)
 {
     (void)state;

@@ -14,17 +14,17 @@
 
 enum { LINE_MOST = 4096, BASE_MOST = 100000 };
 
-/* One text file, and the case that is being read. */
+/* A text file, and the case being read. */
 struct reader {
     struct wrong_rooms *rooms;
     const char *folder, *file;
-    int at; /* the line of the text file */
+    int at; /* line in the text file */
     char *base;
     size_t base_length;
 
     struct wrong_room room;
-    FILE *bytes;      /* the room's; NULL between two cases */
-    const char *rest; /* the base room from line `next` on, not yet taken or left out */
+    FILE *bytes;      /* bytes of the room; NULL between two cases */
+    const char *rest; /* the base room from line `next` on, not yet copied or omitted */
     int next;
 };
 
@@ -66,8 +66,8 @@ static void begin_case(struct reader *reader, const char *title)
     reader->next = 1;
 }
 
-/* Goes to behind line `last` of the base room, and takes the lines on the way or leaves
- * them out. */
+/* Advances to the line after `last` of the base room; copies the lines or omits
+ * them. */
 static void pass_base(struct reader *reader, int last, bool take)
 {
     if (last < reader->next - 1)

@@ -1,4 +1,5 @@
-/* Room files with attributes changed by their address: everything else stays. */
+/* test_room_change.c - changes of single attributes of a room file by address: the
+ * other text is unchanged. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -35,7 +36,7 @@ static char *with_change(const char *text, const char *address, const char *valu
     return changed;
 }
 
-/* One passage of the building is replaced by another, and nothing else. */
+/* Asserts that exactly one passage of the building's text is replaced. */
 static void assert_changes(const char *address, const char *value, const char *was,
                            const char *is)
 {

@@ -1,11 +1,12 @@
-/* Room files with some of their windows changed: what was not meant stays as it was. */
+/* test_room_text.c - room files with some windows changed: all other text is
+ * unchanged. */
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "model/room/text/room_text.h"
 #include "tests/lib/near.h"
 
-/* Text like a window that is none, quotes of both kinds, a tag over two lines, an element
+/* Text that resembles a window, quotes of both kinds, a tag over two lines, an element
  * that is not empty, and a last one on a line with others. */
 static const char file[] =
     "<?xml version='1.0'?> <!-- <window left='9'/> -->\n"
@@ -30,7 +31,7 @@ static char *edited(const struct pp_text_edit *edits, int count)
     return changed;
 }
 
-/* The file with one passage in place of another. */
+/* Asserts that one passage of the file is replaced by another. */
 static void assert_replaced(const char *changed, const char *was, const char *is)
 {
     char expected[2048];
@@ -134,8 +135,8 @@ static void an_element_is_given_by_itself(void **state)
     free(element);
 }
 
-/* Relative paths of meshes only: not those from the root, not of what is like a mesh, none in
- * a comment; and what a folder's name may have is written as XML has it. */
+/* Only relative paths of meshes are changed: not absolute paths, other elements or
+ * comments. Special characters in a folder's name are escaped. */
 static void a_file_that_moves_finds_its_meshes(void **state)
 {
     (void)state;
