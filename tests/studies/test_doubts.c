@@ -1,4 +1,4 @@
-/* Input that is valid but probably not meant. */
+/* test_doubts.c - valid input that is probably not intended. */
 #include "studies/doubts.h"
 
 #include "tests/lib/room_of.h"
@@ -7,7 +7,7 @@
 #define WINDOW "<window wall='south' left='1' sill='0.9' width='2' height='1.5'/>"
 #define LONE(parts) "<room version='1'>" parts "</room>"
 
-/* The warnings of a lone room, joined by "; ". */
+/* Warnings for a file with one room, joined by "; ". */
 static const char *doubts_of(const char *xml, bool alone)
 {
     static char text[1024];
@@ -90,7 +90,7 @@ static void a_factor_that_is_a_loss_names_what_it_would_be(void **state)
 
 #define METAL(shape) "<material name='metal' n='1' k='6' " shape "/>"
 
-/* Roughness over correlation length is 0.2 at first, then 0.6. */
+/* Roughness divided by correlation length is first 0.2, then 0.6. */
 static void a_material_is_too_steep_if_it_loses_much_light(void **state)
 {
     (void)state;
@@ -109,7 +109,7 @@ static void swapped_coordinates_are_far_from_the_country(void **state)
     assert_doubt(
         LONE("<site latitude='-0.1' longitude='51.5' country='GB'/>" PLAN WINDOW),
         "latitude -0.1 and longitude 51.5 are far from GB; are they swapped?");
-    /* A French island in the Indian Ocean is in France. */
+    /* A French island in the Indian Ocean belongs to France. */
     assert_string_equal(
         doubts_of(
             LONE("<site latitude='-21' longitude='55.5' country='FR'/>" PLAN WINDOW),
@@ -125,13 +125,13 @@ static void a_block_behind_every_window_hides_no_sky(void **state)
                          "height='12'/>");
     assert_doubt(behind, "no part of the block \"Opposite\" is in front of a window");
     assert_string_equal(doubts_of(behind, false), "");
-    /* One that the room leans on is its own building. */
+    /* A block that touches the room is part of its own building. */
     assert_string_equal(
         doubts_of(LONE(PLAN WINDOW "<block x='0' y='5.3' width='9' depth='8' "
                                    "height='12'/>"),
                   true),
         "");
-    /* A rooflight sees all that rises above it. */
+    /* Any block that rises above a rooflight can hide sky from it. */
     assert_string_equal(
         doubts_of(LONE(PLAN "<rooflight x='1' y='1' width='1' depth='1'/>"
                             "<block x='0' y='20' width='9' depth='8' height='12'/>"),

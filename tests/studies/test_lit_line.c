@@ -1,13 +1,14 @@
-/* test_lit_line.c - the no-sky line by similar triangles, the sky factor by its closed form,
- * and what surveyors make of a loss. */
+/* test_lit_line.c - the no-sky line by similar triangles, the sky factor by its closed
+ * form, and the equivalent first zone loss. */
 #include "studies/lit_line.h"
 
 #include "tests/lib/room_of.h"
 
-/* An endless house of 30 degrees at 10 m from the middle of a window as wide as the room:
- * from the line the window's head hides the top of the house, in the section and, since all
- * edges are parallel, everywhere along the room. The head is 1.65 m above the plane, the top
- * 1.7 + 10 tan 30 - 0.85 m: d / 1.65 = (d + 10) / 6.6235. */
+/* An infinitely long house at 30 degrees, 10 m from the middle of a window as wide as
+ * the room. From the no-sky line the head of the window and the top of the house are in
+ * line, in the section and, since all edges are parallel, everywhere along the room.
+ * The head is 1.65 m above the plane, the top 1.7 + 10 tan 30 - 0.85 m: d / 1.65 = (d +
+ * 10) / 6.6235. */
 static void the_no_sky_line_lies_where_head_and_house_are_in_line(void **state)
 {
     (void)state;
@@ -29,23 +30,25 @@ static void the_no_sky_line_lies_where_head_and_house_are_in_line(void **state)
     pp_world_destroy(world);
 }
 
-/* The sky factor of an upright rectangle that stands on the plane, from a point d before one
- * of its lower corners [WW23]: by the angle subtended below less the one above. */
+/* Sky factor of a vertical rectangle that stands on the plane, from a point at distance
+ * d in front of one of its lower corners [WW23]: from the angles subtended at its lower
+ * and upper edges. */
 static double corner_factor(double width, double height, double d)
 {
     double slant = hypot(d, height);
     return (atan(width / d) - d / slant * atan(width / slant)) / (2.0 * PP_PI);
 }
 
-/* From x, of a window from `left` to `right` and from the plane up to `head`. */
+/* For a point at x, and a window from `left` to `right` and from the plane up to
+ * `head`. */
 static double sky_factor(double x, double d, double left, double right, double head)
 {
     return (right > x ? 1.0 : -1.0) * corner_factor(fabs(right - x), head, d)
            - (left > x ? 1.0 : -1.0) * corner_factor(fabs(left - x), head, d);
 }
 
-/* Neither the room's overcast sky, its glass, its frame nor its working plane of 0.7 m enter:
- * the factor is the uniform sky's through the bare hole, at 0.85 m. */
+/* The room's overcast sky, glass, frame and working plane of 0.7 m do not matter: the
+ * factor is that of the uniform sky through the unglazed opening, at 0.85 m. */
 static void along_the_legal_line_the_sky_factor_is_a_fifth_of_a_per_cent(void **state)
 {
     (void)state;
@@ -71,8 +74,8 @@ static void along_the_legal_line_the_sky_factor_is_a_fifth_of_a_per_cent(void **
     pp_world_destroy(world);
 }
 
-/* A loss of 20 m2 from 14 lit to 4: one of the front quarter, all of the first, four of
- * the second; 3/2 + 5 + 4/2 of first zone. */
+/* A loss of 20 m2, from 14 m2 lit to 4: one of the front quarter, all of the first,
+ * four of the second; 3/2 + 5 + 4/2 of first zone. */
 static void a_loss_is_counted_by_quarters_of_the_room(void **state)
 {
     (void)state;
@@ -89,7 +92,7 @@ static void a_loss_is_counted_by_quarters_of_the_room(void **state)
     assert_near(loss.equivalent_m2, 0.0, 0.0);
 }
 
-/* A room of 0.6 m has no plane at 0.85 m, and a cellar sees no sky. */
+/* A room 0.6 m high has no plane at 0.85 m, and a cellar sees no sky. */
 static void no_plane_and_no_window_are_no_lit_area(void **state)
 {
     (void)state;
@@ -108,8 +111,9 @@ static void no_plane_and_no_window_are_no_lit_area(void **state)
     pp_world_destroy(low);
 }
 
-/* A room of 20 m2 lit over 14 and then 4 has lost all of the second and the first zone but for
- * what is left of the front one; of a room without a before only the area is added. */
+/* A room of 20 m2, lit over 14 m2 and then 4 m2, has lost its second zone, and its
+ * first zone except for the part left in the front zone. A room without a previous
+ * state only contributes its area. */
 static void a_sum_of_rooms_has_what_is_known_of_each(void **state)
 {
     (void)state;

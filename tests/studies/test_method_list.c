@@ -1,9 +1,9 @@
-/* test_method_list.c - walks the list of methods: every hand figure is near the simulated one,
- * and every method has a test of its own.
+/* test_method_list.c - for all methods in the list: every hand figure is near the
+ * simulated one, and every method has its own test.
  *
- * Good methods are within some ten per cent of the simulation, crude ones within a factor
- * of two or three. A factor of five leaves room for those and finds a formula with the wrong
- * unit: a fraction in place of per cent is a factor of 100.
+ * Good methods are within some ten per cent of the simulation, crude ones within a
+ * factor of two or three. A factor of five allows for these, and detects a formula with
+ * a wrong unit: a fraction instead of per cent is a factor of 100.
  */
 #include "methods/method.h"
 
@@ -22,8 +22,8 @@ static const char *const places[PLACES] = {"the front", "the depth",
 
 static const double most = 5.0;
 
-/* A fraction of the open sky. A smaller component is within the noise of the simulation and
- * of methods that count dots; a hand figure has to be small there, too. */
+/* Fraction of the open sky. Smaller components are within the noise of the simulation
+ * and of methods that count dots; a hand figure must then be small too. */
 static const double dark = 5e-4;
 
 static const char *const names[PP_COMPONENT_COUNT] = {"sc", "erc", "irc", "df"};
@@ -36,7 +36,8 @@ static const char *const names[PP_COMPONENT_COUNT] = {"sc", "erc", "irc", "df"};
     "<window wall='south' left='0.6' sill='0.9' width='2.4' height='1.5'"              \
     " glazing='clear-double' frame-factor='0.8' maintenance='0.9'/>"
 
-/* Points are below the sill, so that they see no ground, which diagrams do not hold. */
+/* Points are below the sill, so that they see no ground, which the diagrams do not
+ * include. */
 static const struct textbook_room {
     const char *name, *xml;
     struct pp_vec3 point[POINTS];
@@ -56,7 +57,7 @@ static const struct textbook_room {
      {{2.1, 2.7, 0.85}, {1.1, 1.4, 0.85}, {2.1, 4.1, 1.2}}},
 };
 
-/* ---- both sides ---- */
+/* ---- hand figures and simulation ---- */
 
 struct answers {
     struct pp_world *world;
@@ -65,7 +66,7 @@ struct answers {
     struct pp_reading (*traced)[PP_COMPONENT_COUNT];
 };
 
-/* All methods, and each direct one with each reflected one. */
+/* Writes all methods, and all pairs of a direct and a reflected method. */
 static void write_selection(char *text, size_t room)
 {
     text[0] = '\0';
@@ -89,7 +90,7 @@ static struct answers answers_in(const struct textbook_room *room, bool simulate
     answers.world = pp_test_lit_world(&light, room->xml);
     for (int i = 0; i < POINTS; i++)
         answers.points[i] = (struct pp_receiver){room->point[i], {0.0, 0.0, 1.0}, 0};
-    /* The receiver faces the window, a little aside. */
+    /* The receiver faces the window, slightly to one side. */
     answers.points[UPRIGHT].normal = pp_vec(sin(0.3), -cos(0.3), 0.0);
     if (simulated) {
         /* To 2 % of the daylight factor. */
@@ -118,7 +119,8 @@ static void clear_answers(struct answers *answers)
 
 /* ---- plausible figures ---- */
 
-/* Compares a column with the simulation, place by place; the number of figures compared. */
+/* Compares a column with the simulation at every place; returns the number of figures
+ * compared. */
 static int compare_column(const struct pp_column *column, const struct answers *answers,
                           const char *room)
 {
@@ -141,7 +143,7 @@ static int compare_column(const struct pp_column *column, const struct answers *
     return compared;
 }
 
-/* Components that a method gives. */
+/* True if the method calculates this component. */
 static bool gives(const struct pp_method *method, enum pp_component component)
 {
     switch (method->gives) {
@@ -184,7 +186,8 @@ static void every_figure_is_within_a_factor_of_five_of_the_simulated(void **stat
 
 /* ---- units ---- */
 
-/* The unit that the method's formulae have for a symbol; false: they do not name it. */
+/* Unit of a symbol in the formulae of the method; false if they do not contain the
+ * symbol. */
 static bool find_unit(enum pp_step_unit *unit, const struct pp_method *method,
                       const char *symbol)
 {
@@ -201,8 +204,8 @@ static bool find_unit(enum pp_step_unit *unit, const struct pp_method *method,
     return false;
 }
 
-/* Else a figure that goes in as a fraction would stand in the text as per cent, or an angle in
- * radians. */
+/* Otherwise a fraction could be used where the text has per cent, or radians where it
+ * has degrees. */
 static void a_figure_is_put_down_in_the_unit_of_the_formula_that_names_it(void **state)
 {
     (void)state;
@@ -236,8 +239,8 @@ static void a_figure_is_put_down_in_the_unit_of_the_formula_that_names_it(void *
 
 /* ---- tests ---- */
 
-/* Where the method is tested, in tests/methods/: by figures worked by hand, or by another
- * route to the same figure. */
+/* File in tests/methods/ that tests the method, with values calculated by hand or
+ * independently. */
 static const struct method_test {
     const char *method, *file;
 } tests[] = {
@@ -271,7 +274,7 @@ static const struct method_test {
     {"lumen-one", "lumen/test_lumen.c"},
 };
 
-/* Does the text have the word, with no letter, digit or hyphen of a longer one beside it? */
+/* True if the text contains the word, not as part of a longer word. */
 static bool has_word(const char *text, const char *word)
 {
     static const char letters[] = "abcdefghijklmnopqrstuvwxyz0123456789_-";
@@ -283,7 +286,7 @@ static bool has_word(const char *text, const char *word)
     return false;
 }
 
-/* The file's text; NULL: there is no such file. The caller frees it. */
+/* Text of the file; NULL if the file does not exist. The caller frees it. */
 static char *text_of(const char *file)
 {
     char path[512];

@@ -1,4 +1,4 @@
-/* test_plan_study.c - the contours of a plan lie where points may. */
+/* test_plan_study.c - contours of a plan are only drawn where points are allowed. */
 #include "studies/plan_study.h"
 
 #include "model/room/position.h"
@@ -46,7 +46,7 @@ static void where_nothing_is_open_it_is_the_plane(void **state)
     pp_world_destroy(world);
 }
 
-/* Is the place deeper than a millimetre in something? */
+/* True if the position is more than a millimetre inside an object. */
 static bool is_within(const struct pp_world *world, double x, double y)
 {
     const double hair = 1e-3;
@@ -70,8 +70,8 @@ static void lie_outside(const struct pp_curve_list *curves,
                          curves->list[i].xy[k][1]);
 }
 
-/* By hand and traced: neither the lowest place nor a curve is within a cupboard, and there
- * is light at the lowest. */
+/* By hand and simulated: the lowest position and the contours are outside the cupboard,
+ * and the lowest position receives light. */
 static void nothing_is_drawn_within_furniture(void **state)
 {
     (void)state;

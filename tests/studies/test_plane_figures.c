@@ -1,4 +1,4 @@
-/* test_plane_figures.c - what is said of a plane, of readings whose sums are worked by
+/* test_plane_figures.c - figures of a plane, from readings whose sums are calculated by
  * hand. */
 #include "studies/plane_figures.h"
 
@@ -11,9 +11,10 @@ static struct pp_reading sampled(double value, double std_error)
     return reading;
 }
 
-/* 0.8, 6, 1.5 and 3.7 %: 3 % on average, 0.8 % at least, 0.8/3 even. The median is the mean
- * of 1.5 and 3.7 %; three of four reach 1 %, two 2 %, one 5 %. Errors that know nothing of
- * one another, 1, 2, 2 and 4 hundredths of a per cent: of the mean the root of 25 over 4. */
+/* 0.8, 6, 1.5 and 3.7 %: mean 3 %, minimum 0.8 %, uniformity 0.8/3. The median is the
+ * mean of 1.5 and 3.7 %. Three of four reach 1 %, two 2 %, one 5 %. With independent
+ * errors of 1, 2, 2 and 4 hundredths of a per cent, the error of the mean is the square
+ * root of 25 divided by 4. */
 static void figures_of_four_points_are_as_worked_by_hand(void **state)
 {
     (void)state;

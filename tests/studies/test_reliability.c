@@ -1,12 +1,12 @@
-/* test_reliability.c - where hand figures are said not to be relied on, by reports whose
- * shares are known. */
+/* test_reliability.c - warnings that hand figures are unreliable, for reports with
+ * known shares. */
 #include "studies/reliability.h"
 
 #include "methods/evaluate.h"
 #include "tests/lib/near.h"
 #include "tests/lib/box_room.h"
 
-/* A room 3.1 m wide and as deep as given, by exact+bre and bre-min at two points. */
+/* A room 3.1 m wide with this depth, by exact+bre and bre-min at two points. */
 static struct pp_reliability under(struct pp_sky sky, double depth_m,
                                    double skyline_deg, double ground)
 {
@@ -46,7 +46,7 @@ static void a_shallow_room_under_open_sky_is_relied_on(void **state)
     assert_string_equal(found.grounds, "");
 }
 
-/* Behind a skyline the back of the room sees no sky, and light comes by its face. */
+/* Behind a skyline the back of the room sees no sky, only the face of the skyline. */
 static void without_sky_at_the_back_the_average_stands_for_the_darkest_point(
     void **state)
 {
@@ -75,8 +75,8 @@ static void a_ground_of_snow_is_far_from_the_one_built_in(void **state)
     assert_true(of_room(2.6, 0.0, 0.8).is[PP_RELIABILITY_GROUND]);
 }
 
-/* bre and bre-min give no figure under the uniform sky, so that nothing is made with their
- * ground. */
+/* bre and bre-min give no figure under the uniform sky, so their assumption about the
+ * ground is not mentioned. */
 static void a_method_that_does_not_answer_is_not_named_for_its_ground(void **state)
 {
     (void)state;
@@ -85,7 +85,7 @@ static void a_method_that_does_not_answer_is_not_named_for_its_ground(void **sta
     assert_false(found.is[PP_RELIABILITY_GROUND]);
 }
 
-/* Nor for its table: bre-min is one of the overcast sky. */
+/* Nor is the table of bre-min, which is for the overcast sky. */
 static void a_method_that_does_not_answer_is_not_named_for_its_table(void **state)
 {
     (void)state;

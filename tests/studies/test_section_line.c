@@ -1,14 +1,14 @@
-/* test_section_line.c - where the points of a section lie that the room file has none
- * for. */
+/* test_section_line.c - positions of the points of a section if the room file has
+ * none. */
 #include "studies/section_line.h"
 
 #include <stdlib.h>
 
 #include "tests/lib/room_of.h"
 
-/* From the middle of the larger window straight to the back, 6.3 m in 26 steps of at most
- * 0.25 m, each point in the middle of its own, on the working plane. The wall is followed
- * to a centimetre. */
+/* From the middle of the larger window straight to the back, 6.3 m in 26 steps of at
+ * most 0.25 m, with each point in the middle of its step, on the working plane.
+ * Tolerance: a centimetre. */
 static void points_lie_square_to_the_largest_window_at_most_a_quarter_metre_apart(
     void **state)
 {
@@ -33,7 +33,7 @@ static void points_lie_square_to_the_largest_window_at_most_a_quarter_metre_apar
     pp_world_destroy(world);
 }
 
-/* Length of the line of a section in the room below, and x and y of its first point. */
+/* Length of the section line in the room below, and x and y of its first point. */
 static double line_at(const char *text, double first[2])
 {
     struct pp_world *world = pp_test_world(
@@ -61,9 +61,9 @@ static double line_at(const char *text, double first[2])
     return length;
 }
 
-/* The L-shaped room is 7 m long at x = 1, 3 m at x = 5, and 8 m at y = 2. The rooflight is
- * larger than the window: the default passes through its middle, x = 5, square to the
- * window's wall, which faces north. */
+/* The L-shaped room is 7 m long at x = 1, 3 m at x = 5, and 8 m at y = 2. The rooflight
+ * is larger than the window, so the default line passes through its middle, x = 5,
+ * perpendicular to the window wall, which faces north. */
 static void a_section_is_cut_where_it_is_told(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* test_traced_plane.c - what lies between traced points, of readings that are made up. */
+/* test_traced_plane.c - interpolation between simulated points, with made-up
+ * readings. */
 #include "studies/traced_plane.h"
 
 #include <stdlib.h>
@@ -7,15 +8,15 @@
 #include "methods/method.h"
 #include "tests/lib/room_of.h"
 
-/* Between the head of its window and a terrace of houses the room sees a strip of sky,
- * which goes out of view some 1.5 m from the window. */
+/* Between the head of the window and a terrace of houses the room sees a strip of sky,
+ * which is hidden from points more than about 1.5 m from the window. */
 static const char terrace[] =
     "<room version='1'><plan width='4' depth='6' height='2.7'/>"
     "<window wall='south' left='0.5' sill='0.9' width='3' height='1.5'/>"
     "<block x='-40' y='-20' width='84' depth='10' height='12' reflectance='0.2'/>"
     "<point x='2' y='1'/></room>";
 
-/* A room's points, and what is known of their light. */
+/* A room's points, and their light. */
 struct made_up {
     struct pp_world *world;
     struct pp_outside_light light;
@@ -44,8 +45,8 @@ static void clear(struct made_up *room)
     pp_world_destroy(room->world);
 }
 
-/* Made-up results of a tracer: an obstruction that is darker than by the convention of
- * `exact`, the more so to one side, and reflected light that falls off into the room. */
+/* Made-up results: an obstruction darker than by the convention of `exact`,
+ * increasingly to one side, and reflected light that decreases with depth. */
 static double external_at(const struct made_up *room, double x, double y, double *sky)
 {
     double external;
@@ -60,7 +61,7 @@ static double factor_at(const struct made_up *room, double x, double y)
     return sky + external + 0.004 + 0.008 * exp(-0.4 * y);
 }
 
-/* error: one standard error of each point. */
+/* error: standard error of each point. */
 static void fill(struct made_up *room, double error, double common)
 {
     struct pp_reading *factors = calloc((size_t)room->count, sizeof *factors);
@@ -79,9 +80,10 @@ static void fill(struct made_up *room, double error, double common)
     free(external);
 }
 
-/* Points are some 0.3 m apart, and where the sky goes out of view the factor bends within
- * less than that: a fit to traced factors themselves was wrong by 15 % there. The places
- * stand in rows over the whole plane but for 0.1 m along its edge. */
+/* Points are about 0.3 m apart, and where the sky becomes hidden the factor changes
+ * within a shorter distance: interpolation of the simulated factors had an error of 15
+ * % there. The test positions are in rows over the whole plane, except for 0.1 m along
+ * its edge. */
 static void between_points_the_edge_of_the_sky_is_followed(void **state)
 {
     (void)state;
@@ -101,8 +103,8 @@ static void between_points_the_edge_of_the_sky_is_followed(void **state)
     clear(&room);
 }
 
-/* The fit's coefficients have the sum 1: errors that all points have in common stay what
- * they are, those of their own are fewer in the mean of several. */
+/* The coefficients of the fit add up to 1: common errors of all points are unchanged,
+ * individual errors are reduced by averaging. */
 static void only_errors_of_their_own_are_evened_out(void **state)
 {
     (void)state;

@@ -4,7 +4,7 @@
 #include "simulate/scene/light_scene_of_world.h"
 #include "tests/lib/room_of.h"
 
-/* A plan of 4 x 6 m with windows in its south wall and what stands outside. */
+/* A plan of 4 x 6 m with windows in its south wall, and objects outside. */
 #define ROOM(inside)                                                                   \
     "<room version='1'><plan width='4' depth='6' height='3'/>" inside "</room>"
 
@@ -59,8 +59,8 @@ static void windows_above_each_other_count_once_and_beside_each_other_twice(
                 1e-9);
 }
 
-/* Windows in three walls: the bearing of the first opening's edge crosses that of east,
- * where bearings begin. */
+/* Windows in three walls: the first opening extends across due east, where bearings
+ * begin. */
 static void windows_all_round_add_up(void **state)
 {
     (void)state;
@@ -78,8 +78,8 @@ static void windows_all_round_add_up(void **state)
     assert_near(view.sight_angle_rad, 4.0 * 2.0 * atan(0.5), 1e-9);
 }
 
-/* Seen through a small hole 3 m away and 0.9 m up, an endless high wall 12 m before the
- * glass ends lines of sight of 12 m / cos. */
+/* Seen through a small hole 3 m away and 0.9 m up, an infinitely long high wall 12 m in
+ * front of the glass ends lines of sight after 12 m / cos. */
 static void a_wall_opposite_gives_its_distance_along_the_line(void **state)
 {
     (void)state;
@@ -119,7 +119,7 @@ static void a_high_window_shows_sky_alone_and_is_no_view(void **state)
     assert_int_equal(pp_view_out_level(&view), PP_VIEW_NONE);
 }
 
-/* Over open ground the horizon is landscape, endlessly far away. */
+/* Over open ground the horizon counts as landscape at an infinite distance. */
 static void a_french_window_over_open_ground_has_all_layers(void **state)
 {
     (void)state;

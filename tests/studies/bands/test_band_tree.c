@@ -1,4 +1,5 @@
-/* test_band_tree.c - regimes and bands of made rooms, whose true bands are known. */
+/* test_band_tree.c - regimes and bands of generated rooms whose true bands are
+ * known. */
 #include "studies/bands/band_tree.h"
 
 #include <stdlib.h>
@@ -8,7 +9,7 @@
 
 enum { ROOMS = 2000, POINTS = 4, FEATURES = 3, ROWS = ROOMS * POINTS };
 
-/* State of a room: its rows have feature 0 and the error in common. */
+/* Values of a generated room: its rows share feature 0 and the error. */
 struct made {
     int rooms[ROWS];
     double ratios[ROWS], features[ROWS * FEATURES];
@@ -21,8 +22,8 @@ static double normal(struct dice *dice)
     return sqrt(-2.0 * log(1.0 - u)) * cos(2.0 * acos(-1.0) * v);
 }
 
-/* Where feature 0 is under 0.3, ratios are exp(0.05 z), else 0.6 exp(0.3 z) with z normal;
- * unlike it, features 1 and 2 mean nothing. plain: exp(0.2 z) everywhere. */
+/* Where feature 0 is below 0.3, ratios are exp(0.05 z), otherwise 0.6 exp(0.3 z), with
+ * z normal; features 1 and 2 have no influence. plain: exp(0.2 z) everywhere. */
 static struct made *make(uint64_t seed, bool plain)
 {
     struct made *made = malloc(sizeof *made);
@@ -59,8 +60,9 @@ static struct pp_band_regime *grow(const struct made *made, int *count)
     return regimes;
 }
 
-/* The 2.5 % point of the normal distribution lies at 1.96; its estimate from n = 600 rooms
- * has a standard error of sqrt(0.025 * 0.975 / n) over the density there, 0.0584: 0.11. */
+/* The 2.5 % point of the normal distribution is at 1.96. Its estimate from n = 600
+ * rooms has a standard error of sqrt(0.025 * 0.975 / n) divided by the density there,
+ * 0.0584: 0.11. */
 static void two_kinds_of_rooms_are_told_apart_with_the_band_of_each(void **state)
 {
     (void)state;
@@ -93,7 +95,8 @@ static void rooms_that_err_alike_are_one_regime(void **state)
     free(made);
 }
 
-/* Three standard errors of two shares, as the rooms of a regime fall in or out. */
+/* Tolerance: three standard errors of two shares, for the rooms of a regime inside and
+ * outside its band. */
 static void a_band_holds_its_share_of_rooms_that_it_was_not_made_from(void **state)
 {
     (void)state;
@@ -136,8 +139,8 @@ static void no_regime_has_fewer_rooms_than_the_rule_says(void **state)
     free(made);
 }
 
-/* Ranks 0.025 (n + 1) and 0.975 (n + 1) of n = 39 rooms are the first and the last; a room
- * of many points counts as one of a single point. */
+/* The ranks 0.025 (n + 1) and 0.975 (n + 1) of n = 39 rooms are the first and the last.
+ * A room of many points counts like a room with one point. */
 static void a_room_counts_once_however_many_points_it_has(void **state)
 {
     (void)state;
@@ -164,8 +167,8 @@ static void a_room_counts_once_however_many_points_it_has(void **state)
                 1e-12);
 }
 
-/* With the offset a = 0.02: (0.05 + 0.02) 0.5 - 0.02 = 0.015; nothing is darker than
- * black. */
+/* With the offset a = 0.02: (0.05 + 0.02) 0.5 - 0.02 = 0.015. The lower limit is never
+ * negative. */
 static void a_small_figure_has_a_band_of_so_much_more_or_less(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
-/* test_report_bands.c - the bands of the atlas beside a room's figures, and the advice that is
- * made of them: by the table itself, and where rooms are unlike those of the atlas.
- */
+/* test_report_bands.c - likely ranges from the atlas for the figures of a room, and the
+ * advice derived from them: calculated from the table, and for rooms that the atlas
+ * does not cover. */
 #include "studies/bands/report_bands.h"
 
 #include <stdlib.h>
@@ -17,7 +17,8 @@
 
 static const char hall[] = "<room version='1'>" ROOM "</room>";
 
-/* Figures of the room, made up: a pair with its parts, a simulated column, two averages. */
+/* Made-up figures of a room: a pair with its parts, a simulated column, two
+ * averages. */
 struct made {
     struct pp_world *world;
     struct pp_receiver receivers[2];
@@ -59,8 +60,8 @@ static void clear(struct made *m)
     pp_world_destroy(m->world);
 }
 
-/* The band's ends are the quantiles of the regime that holds, on the hand figure:
- * (h + a) q - a, worked here. */
+/* The limits of a band are the quantiles of the room's regime applied to the hand
+ * figure h: (h + a) q - a, calculated here. */
 static void a_band_is_the_table_s_quantiles_on_the_figure(void **state)
 {
     (void)state;
@@ -96,7 +97,7 @@ static void a_band_is_the_table_s_quantiles_on_the_figure(void **state)
     clear(&m);
 }
 
-/* pp_band_table_find stops where another column begins. */
+/* pp_band_table_find stops at the first row of another column. */
 static void the_rows_of_a_column_stand_together(void **state)
 {
     (void)state;
@@ -134,7 +135,8 @@ static void a_point_that_does_not_face_up_has_no_band(void **state)
     clear(&m);
 }
 
-/* Each with the word by which it is told, and without any band. */
+/* Each of these rooms is reported with a reason that contains the word, and has no
+ * band. */
 static void rooms_that_the_atlas_has_not_are_told_so(void **state)
 {
     (void)state;
@@ -169,7 +171,8 @@ static void rooms_that_the_atlas_has_not_are_told_so(void **state)
     }
 }
 
-/* Hardly darker than the wall of 0.5 behind it, and darker by 0.2, which is not over it. */
+/* A dado slightly darker than the wall of 0.5 behind it, and one darker by 0.2, which
+ * does not exceed the limit. */
 static void a_dado_like_its_wall_leaves_the_bands(void **state)
 {
     (void)state;
@@ -194,8 +197,8 @@ static double width_of(struct pp_band_ends band, double figure)
     return log((band.high + a) / (figure + a)) - log((band.low + a) / (figure + a));
 }
 
-/* Two pairs at two points: no method that is advised has a band 1.25 times as wide as
- * another's, and every point is advised on but once. */
+/* Two pairs at two points: no recommended method has a band more than 1.25 times as
+ * wide as that of another, and there is one recommendation for every point. */
 static void advice_is_the_method_of_the_narrowest_band(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* The hours in which a room has enough light (studies/climate/availability.h), in figures
- * and on their chart. */
+/* test_availability.c - the hours in which a room has enough daylight
+ * (studies/climate/availability.h), as figures and in a chart. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -18,7 +18,7 @@ static const char room[] =
 
 enum { HOURS = 10 };
 
-/* Ten hours of a day from 8:00, of 1000, 2000 ... 10,000 lx in a wild order. */
+/* Ten hours of a day from 8:00, of 1000, 2000 ... 10,000 lx, not in order. */
 static void light_of(struct pp_diffuse_light *light, struct pp_diffuse_hour list[HOURS])
 {
     for (int i = 0; i < HOURS; i++)
@@ -31,7 +31,7 @@ static void light_of(struct pp_diffuse_light *light, struct pp_diffuse_hour list
         .origin = PP_LIGHT_ILLUMINANCE, .count = HOURS, .list = list, .total_h = HOURS};
 }
 
-/* A report with one column of daylight factors, four points' and an average. */
+/* A report with one column of daylight factors: four points and an average. */
 static void report_of(struct pp_report *report, const struct pp_world *world,
                       const double points[4], double average, double error)
 {
@@ -72,9 +72,9 @@ static void two_per_cent_and_300_lx_need_15000(void **state)
     assert_true(isinf(pp_availability_needed_lx(500.0, 0.0)));
 }
 
-/* Ten hours of 1000 ... 10,000 lx have 6000 or more in five. 150 lx need 6000 at 2.5 %,
- * 3000 at 5 %, 75,000 at 0.2 %, and nothing is enough where nothing comes in.
- */
+/* Ten hours of 1000 ... 10,000 lx have 6000 or more in five. 150 lx require 6000 at 2.5
+ * %, 3000 at 5 %, 75,000 at 0.2 %; where the daylight factor is zero, no illuminance is
+ * enough. */
 static void hours_are_counted_by_what_they_need(void **state)
 {
     (void)state;
@@ -97,7 +97,7 @@ static void hours_are_counted_by_what_they_need(void **state)
     assert_near(sheet.periods[1].hours, 1.5, 1e-12);
     assert_near(sheet.periods[0].light, 1.0, 0.0);
     assert_near(sheet.periods[0].half_lx, 6000.0, 0.0);
-    assert_near(sheet.periods[0].most_lx, 2000.0, 0.0); /* there in 9 of 10 */
+    assert_near(sheet.periods[0].most_lx, 2000.0, 0.0); /* exceeded in 9 of 10 hours */
 
     assert_int_equal(sheet.row_count, 6);
     static const double needs[] = {6000.0, 3000.0, 75000.0, INFINITY};
@@ -111,7 +111,7 @@ static void hours_are_counted_by_what_they_need(void **state)
         assert_near(sheet.rows[i].share[0], shares[i], 1e-12);
         assert_true(isnan(sheet.rows[i].std_error[0]));
     }
-    /* From 9:30 half an hour of 8000 lx (hour 2) and one of 5000. */
+    /* From 9:30: half an hour of 8000 lx (hour 2) and one of 5000. */
     assert_near(sheet.rows[0].share[1], 0.5 / 1.5, 1e-12);
     assert_near(sheet.rows[1].share[1], 1.0, 1e-12);
 
@@ -122,14 +122,14 @@ static void hours_are_counted_by_what_they_need(void **state)
     assert_int_equal(sheet.rows[5].place, PP_PLACE_AVERAGE);
     assert_near(sheet.rows[5].needs_lx, 150.0 / 0.021, 1e-9);
     assert_near(sheet.rows[5].share[0], 0.3,
-                1e-12); /* 7143 lx: of 8, 9 and 10 thousand */
+                1e-12); /* 7143 lx: exceeded by 8, 9 and 10 thousand */
     pp_availability_sheet_clear(&sheet);
     pp_report_clear(&report);
     pp_world_destroy(world);
 }
 
-/* 2.5 +- 0.5 % need 5000 to 7500 lx: 6 or 3 of ten hours, 1.5 either way. A reading
- * without a value has no hours, and keeps its reason. */
+/* 2.5 +- 0.5 % require 5000 to 7500 lx: 6 or 3 of ten hours, so 1.5 in each direction.
+ * A reading without a value has no hours, and keeps its reason. */
 static void errors_of_daylight_factors_become_errors_of_hours(void **state)
 {
     (void)state;
@@ -149,7 +149,7 @@ static void errors_of_daylight_factors_become_errors_of_hours(void **state)
     assert_near(sheet.rows[0].std_error[0], 0.15, 1e-12);
     assert_string_equal(sheet.rows[4].df.why, "a fine day");
     assert_true(isnan(sheet.rows[4].needs_lx) && isnan(sheet.rows[4].share[0]));
-    /* The median of the three that are there. */
+    /* The median of the three values. */
     assert_near(sheet.rows[8].df.value, 0.03, 0.0);
     assert_near(sheet.rows[8].df.std_error, 0.005, 0.0);
     pp_availability_sheet_clear(&sheet);
@@ -196,7 +196,7 @@ static char *drawn(const struct pp_availability_sheet *sheet,
     return copy;
 }
 
-/* The next straight stroke of an SVG's paths, from an M to the first L behind. */
+/* Next straight stroke of an SVG's paths, from an M to the following L. */
 static const char *next_stroke(const char *at, double xy[4])
 {
     while ((at = strstr(at, " d=\"M ")) != NULL) {
@@ -207,8 +207,8 @@ static const char *next_stroke(const char *at, double xy[4])
     return NULL;
 }
 
-/* The longest level stroke of the file whose path goes on behind it, as a scale's does
- * with its ticks: the scale of the light outside, or one as long. */
+/* Longest horizontal stroke whose path continues, as that of a scale with its ticks
+ * does: the scale of outdoor illuminance. */
 static void find_scale(const char *svg, double xy[4])
 {
     double one[4], longest = 0.0;
@@ -220,8 +220,9 @@ static void find_scale(const char *svg, double xy[4])
         }
 }
 
-/* 90 lx at 2 % need 4500 of the 10,000 lx at the scale's end: the line stands at 0.45 of
- * the scale's length, to cairo's last printed digit, and is as high as the field. */
+/* 90 lx at 2 % require 4500 of the 10,000 lx at the end of the scale: the line is at
+ * 0.45 of its length, to the last digit printed by cairo, and as high as the chart
+ * area. */
 static void what_is_needed_is_marked_where_the_scale_says(void **state)
 {
     (void)state;
@@ -254,7 +255,8 @@ static void what_is_needed_is_marked_where_the_scale_says(void **state)
     pp_world_destroy(world);
 }
 
-/* Eight periods, eight illuminances, every paper either way, twice; and no room. */
+/* Eight periods and eight illuminances on every paper size in both orientations, drawn
+ * twice; and without a room. */
 static void any_sheet_holds_it_and_its_bytes_are_the_same_again(void **state)
 {
     (void)state;
@@ -293,7 +295,7 @@ static void any_sheet_holds_it_and_its_bytes_are_the_same_again(void **state)
     pp_world_destroy(world);
 }
 
-/* A room without any daylight, or without a value, is drawn all the same. */
+/* A room without daylight or without a value also has a chart. */
 static void a_dark_room_has_its_chart(void **state)
 {
     (void)state;
@@ -310,7 +312,7 @@ static void a_dark_room_has_its_chart(void **state)
         if (k)
             report.columns[0].average = pp_reading_none("no reason");
         for (int i = 0; k && i < HOURS; i++)
-            list[i].lx = 0.0; /* and polar night */
+            list[i].lx = 0.0; /* and all hours dark */
         struct pp_availability_question question =
             question_of(&light, &hours, 1, lx, 1);
         assert_int_equal(pp_availability_fill(&sheet, &question, &report, NULL), PP_OK);

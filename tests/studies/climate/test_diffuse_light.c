@@ -1,5 +1,5 @@
-/* The light of the sky through a year, from files and from the sun, its luminous efficacy,
- * and its cumulative curve over working hours. */
+/* test_diffuse_light.c - diffuse illuminance during a year, from files and from the
+ * sun; its luminous efficacy, and its cumulative curve over working hours. */
 #include "tests/lib/near.h"
 
 #include "tests/lib/made_epw.h"
@@ -43,7 +43,7 @@ static double median_of(const struct pp_diffuse_light *light)
     return median_lx;
 }
 
-/* Worked apart from the program from the table's digits: an overcast hour (clearness 1,
+/* Calculated independently from the values of the table: an overcast hour (clearness 1,
  * brightness 0.1458, 2.004 cm of water), a clear one (clearness 8.6), one between. */
 static void the_efficacy_is_that_of_its_table(void **state)
 {
@@ -56,7 +56,8 @@ static void the_efficacy_is_that_of_its_table(void **state)
                 111.541407, 1e-3);
 }
 
-/* Whatever a file says, no sky has more lumens a watt than the eye. */
+/* For any data in the file, the efficacy of the sky does not exceed the maximum of the
+ * eye. */
 static void the_efficacy_stays_within_reason(void **state)
 {
     (void)state;
@@ -68,9 +69,10 @@ static void the_efficacy_stays_within_reason(void **state)
             }
 }
 
-/* ---- of a file ---- */
+/* ---- from a weather file ---- */
 
-/* One day; the illuminance of hour h from a list of texts, irradiance 100 by day. */
+/* One day; the illuminance of hour h from a list of texts, an irradiance of 100 by
+ * day. */
 static struct pp_epw *day_of(const char *diffuse, const char *const lx[24])
 {
     struct made_epw made;
@@ -113,7 +115,7 @@ static void a_gap_in_illuminance_is_filled_by_irradiance(void **state)
     assert_int_equal(light.filled, 0);
     assert_int_equal(light.missing, 1);
     assert_true(isnan(light.list[12].lx));
-    /* The hour that is not known is neither dark nor light. */
+    /* The hour without data is neither dark nor light. */
     struct pp_diffuse_curve curve =
         curve_of(&light, 8.0, 18.0, PP_ALL_DAYS, &no_summer);
     assert_near(curve.total_h, 9.0, 1e-12);
@@ -124,7 +126,7 @@ static void a_gap_in_illuminance_is_filled_by_irradiance(void **state)
     pp_epw_destroy(epw);
 }
 
-/* A dew point that is missing is 11 degrees. */
+/* A missing dew point is replaced by 11 degrees. */
 static void a_missing_dew_point_is_eleven_degrees(void **state)
 {
     (void)state;
@@ -146,11 +148,11 @@ static void a_missing_dew_point_is_eleven_degrees(void **state)
     pp_epw_destroy(epw);
 }
 
-/* Direct light that is missing is what the global light has beyond the diffuse, over the
- * sine of the sun's altitude, which is taken for 0.05 where it is less: at midnight in
- * June on the 68th parallel, where the sun is 1.4 degrees up. Of 400 global lights from
- * 1 to 1.2 times the diffuse one, which pass several borders of clearness, each gives
- * what the direct light itself would. */
+/* Missing direct irradiance is (global - diffuse) / sine of the sun's altitude, where
+ * the sine is at least 0.05: at midnight in June at a latitude of 68 degrees, with the
+ * sun at 1.4 degrees. For each of 400 global irradiances from 1 to 1.2 times the
+ * diffuse one, which cross several limits of clearness, the result is the same as with
+ * the direct irradiance in the file. */
 static void missing_direct_light_comes_from_the_global_one(void **state)
 {
     (void)state;
@@ -182,7 +184,7 @@ static void missing_direct_light_comes_from_the_global_one(void **state)
     pp_epw_destroy(epw);
 }
 
-/* Many files hold 0 or a code in all their illuminances. */
+/* Many files contain 0 or a code in all illuminances. */
 static void without_any_illuminance_irradiance_is_taken(void **state)
 {
     (void)state;
@@ -211,8 +213,8 @@ static void without_any_illuminance_irradiance_is_taken(void **state)
     }
 }
 
-/* The brighter half of hours of 0 to 8759 lx is daylight; half of that passes 6569.5,
- * between the 2190th and the 2191st. */
+/* The brighter half of hours with 0 to 8759 lx is daylight; half of these exceed
+ * 6569.5, between the 2190th and the 2191st. */
 static void the_median_is_that_of_the_brighter_half_of_the_year(void **state)
 {
     (void)state;
@@ -235,9 +237,10 @@ static void the_overcast_sky_follows_the_sun(void **state)
     assert_near(pp_diffuse_light_overcast_lx(-0.01), 0.0, 0.0);
 }
 
-/* Brussels (50.9 N, 4.35 E, an hour ahead of UT), against minutes of 2018 summed in
- * Python by the longer solar series of [MEEUS98], chapter 25. Steps of 5 minutes put
- * the moment of a level off by 2.5 minutes of a day's ten hours at most. */
+/* Brussels (50.9 N, 4.35 E, an hour ahead of UT), compared with a sum over the minutes
+ * of 2018, in Python, with the longer solar series of [MEEUS98], chapter 25. With steps
+ * of 5 minutes, the time of a level has an error of at most 2.5 minutes in a day's ten
+ * hours. */
 static void the_curve_of_brussels_is_as_summed_elsewhere(void **state)
 {
     (void)state;
@@ -257,7 +260,8 @@ static void the_curve_of_brussels_is_as_summed_elsewhere(void **state)
     pp_diffuse_light_clear(&light);
 }
 
-/* A curve falls from any light at all to the year's brightest moment, and back. */
+/* A curve falls from 100 % at zero illuminance to 0 at the year's maximum, and has an
+ * inverse. */
 static void a_curve_falls_and_has_an_inverse(void **state)
 {
     (void)state;
@@ -279,7 +283,7 @@ static void a_curve_falls_and_has_an_inverse(void **state)
         double lx = pp_diffuse_curve_lx(&curve, share);
         double back = pp_diffuse_curve_share(&curve, lx);
         assert_true(back >= share - 1e-9);
-        /* The next brighter light is there less often. */
+        /* A slightly higher illuminance is exceeded less often. */
         assert_true(pp_diffuse_curve_share(&curve, lx * (1.0 + 1e-9)) <= share + 1e-9);
     }
     pp_diffuse_curve_clear(&curve);
@@ -311,9 +315,9 @@ static void polar_night_has_nothing(void **state)
     pp_diffuse_light_clear(&light);
 }
 
-/* Half a year turns north into south, but for the northern summer's being 8 days of 365
- * longer; noon turns the morning into the afternoon, but for the equation of time, of
- * 16 minutes at most in five hours. */
+/* A shift of half a year exchanges north and south, except that the northern summer is
+ * 8 days of 365 longer. Noon exchanges morning and afternoon, except for the equation
+ * of time, at most 16 minutes in five hours. */
 static void north_and_south_morning_and_afternoon_are_alike(void **state)
 {
     (void)state;
@@ -341,7 +345,7 @@ static void north_and_south_morning_and_afternoon_are_alike(void **state)
 
 /* ---- working hours ---- */
 
-/* Summer time all year is the same as work an hour earlier. */
+/* Summer time all year is equivalent to working hours that are an hour earlier. */
 static void summer_time_is_an_hour_earlier(void **state)
 {
     (void)state;
@@ -364,8 +368,8 @@ static void summer_time_is_an_hour_earlier(void **state)
     pp_diffuse_light_clear(&light);
 }
 
-/* Parts of hours, days of the week, and the hour that summer time moves past midnight.
- */
+/* Parts of hours, days of the week, and the hour that summer time moves past
+ * midnight. */
 static void time_counts_where_it_is_worked(void **state)
 {
     (void)state;
@@ -389,7 +393,7 @@ static void time_counts_where_it_is_worked(void **state)
     assert_near(pp_working_hours_share_h(&hours, &no_summer, &hour), 0.0, 0.0);
 }
 
-/* A curve of no hours is none. */
+/* A curve without hours is rejected. */
 static void no_hours_are_a_mistake(void **state)
 {
     (void)state;
@@ -403,12 +407,12 @@ static void no_hours_are_a_mistake(void **state)
     pp_diffuse_light_clear(&light);
 }
 
-/* ---- files of others, where they are ---- */
+/* ---- public weather files, if available ---- */
 
-/* Without illuminance the model of efficacy comes near the file's own figures, which
- * others made by such a model, or by a single efficacy (Tokyo: 119 lm/W): within 1.5 %
- * in overcast hours, where models agree; with half-clear skies the model is up to 20 %
- * above them, and its median up to 16 %. */
+/* Without illuminances in the file, the model of efficacy agrees with the file's own
+ * values, which others calculated with such a model or with a single efficacy (Tokyo:
+ * 119 lm/W): within 1.5 % in overcast hours, where models agree; with partly cloudy
+ * skies the model is up to 20 % higher, and its median up to 16 %. */
 static void check_efficacy(struct pp_epw *epw, const char *name, double median_lx)
 {
     struct pp_diffuse_light light;
@@ -434,8 +438,8 @@ static void check_efficacy(struct pp_epw *epw, const char *name, double median_l
     free(lx);
 }
 
-/* Medians of the 4380 brightest hours and shares of working hours, summed in Python
- * with numpy from fields 4 and 19 of the files' lines. */
+/* Medians of the 4380 brightest hours and shares of working hours, calculated in Python
+ * with numpy from fields 4 and 19 of the files. */
 static void known_files_give_what_numpy_gives(void **state)
 {
     (void)state;

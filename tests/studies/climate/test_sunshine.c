@@ -1,5 +1,5 @@
-/* Tests of the sun's probability, from weather files made up, and of probable sunlight
- * hours. */
+/* test_sunshine.c - probability of sunshine from made-up weather files, and probable
+ * sunlight hours. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -7,7 +7,7 @@
 #include "studies/climate/sunshine.h"
 #include "tests/lib/room_of.h"
 
-/* A year at 48.2 N, 16.4 E, an hour ahead of UT, with the direct irradiance (W/m2) of
+/* A year at 48.2 N, 16.4 E, an hour ahead of UT, with a direct irradiance (W/m2) for
  * each hour of the clock. */
 static struct pp_sunshine sunshine_of(double (*direct)(int month, int day, int hour))
 {
@@ -49,7 +49,7 @@ static double never_known(int month, int day, int hour)
     return NAN;
 }
 
-/* 10 days of June's 30, 9 of February's 28, 10 of July's 31; more than 120 W/m2. */
+/* 10 of June's 30 days, 9 of February's 28, 10 of July's 31 have more than 120 W/m2. */
 static void one_day_in_three_is_a_third(void **state)
 {
     (void)state;
@@ -60,12 +60,13 @@ static void one_day_in_three_is_a_third(void **state)
         assert_near(sunshine.share[1][hour], 9.0 / 28.0, 1e-12);
         assert_near(sunshine.share[6][hour], 10.0 / 31.0, 1e-12);
     }
-    assert_near(sunshine.share[11][2], 0.0, 0.0); /* the sun is down */
+    assert_near(sunshine.share[11][2], 0.0, 0.0); /* after sunset */
     assert_false(sunshine_of(never_known).known);
 }
 
-/* 1.4 degrees east of its meridian the clock's noon is solar noon, but for 5.6 minutes and
- * the equation of time: the middle of an hour of the clock lies in the same solar hour. */
+/* 1.4 degrees east of its meridian the noon of the clock is solar noon, except for 5.6
+ * minutes and the equation of time: the middle of an hour of the clock is in the same
+ * solar hour. */
 static void the_clocks_morning_is_the_suns(void **state)
 {
     (void)state;
@@ -95,8 +96,9 @@ static struct pp_sunlit_year year_of(const char *wall, const double (*share)[24]
     return year;
 }
 
-/* Equally likely hours are possible hours, fewer; and with sun in the mornings only an east
- * wall has them all and a west wall none. */
+/* With equal probability in all hours, probable hours are possible hours times this
+ * probability. With sun in the mornings only, an east wall has all its hours and a west
+ * wall none. */
 static void probable_hours_are_possible_ones_times_their_share(void **state)
 {
     (void)state;

@@ -1,6 +1,7 @@
-/* The findings of `pepperpot assess` on the examples against figures by another route:
- * rays shot at every polygon (sight.h), formulae over the rooms' dimensions as typed
- * below, and points counted one by one. Runs ./pepperpot. */
+/* test_assess_examples.c - the findings of `pepperpot assess` for the examples,
+ * compared with independent calculations: rays tested against every polygon (sight.h),
+ * formulae with the dimensions entered below, and counts of points. Runs
+ * ./pepperpot. */
 #include <json.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,7 +14,8 @@
 #include "tests/lib/sight.h"
 #include "tests/lib/sized.h"
 
-/* Dimensions of the examples, as in their files; the depth is from the window wall. */
+/* Dimensions of the examples, as in their files; depth is measured from the window
+ * wall. */
 struct facts {
     const char *file, *room, *capital;
     double median_lux;
@@ -56,9 +58,9 @@ struct room {
 };
 
 static struct room rooms[ROOMS];
-static int room_count; /* all of them, or the first few */
+static int room_count; /* all rooms, or the first few */
 
-/* ---- what the program says ---- */
+/* ---- output of the program ---- */
 
 static struct json_object *said_of(const char *file, const char *room)
 {
@@ -95,7 +97,7 @@ static struct json_object *field(struct json_object *object, const char *key)
     return value;
 }
 
-/* The finding of that criterion whose name begins so; NULL: there is none. */
+/* The finding of this criterion whose name begins with `of`; NULL: none. */
 static struct json_object *finding(const struct room *room, const char *criterion,
                                    const char *of)
 {
@@ -118,8 +120,8 @@ static struct json_object *finding(const struct room *room, const char *criterio
 static int verdicts_held;
 static int steep; /* windows with an obstruction of more than 25 degrees */
 
-/* Figure within the tolerance of ours, bound as given, verdict as by our figure: in the
- * examples no figure is within the tolerance of its bound. */
+/* Asserts that figure and bound are as expected, and that the verdict follows from our
+ * figure: in the examples no figure is within the tolerance of its bound. */
 static void assert_finding(const struct room *room, const char *criterion,
                            const char *of, double figure, double tolerance,
                            double wanted, bool at_most)
@@ -134,11 +136,12 @@ static void assert_finding(const struct room *room, const char *criterion,
                  figure, tolerance);
     assert_near(json_object_get_double(field(found, "wanted")), wanted,
                 1e-6 * fabs(wanted));
-    bool same = fabs(figure - wanted) < 1e-9; /* a bound that the file gives is met */
+    bool same = fabs(figure - wanted) < 1e-9; /* a bound given in the file is met */
     if (!same && !(fabs(figure - wanted) > tolerance))
         fail_msg("%s: %s of %g is too near to %g", criterion, of, figure, wanted);
     bool met = same || (at_most ? figure < wanted : figure > wanted);
-    /* Undecided: a figure nearer to its bound than the grid can tell, or an open one. */
+    /* Undecided: a figure closer to its bound than the error of the grid, or an open
+     * figure. */
     double grid_error = json_object_get_double(field(found, "grid-error"));
     bool close = fabs(said - wanted) < grid_error
                  || json_object_get_boolean(field(found, "open"));
@@ -149,7 +152,7 @@ static void assert_finding(const struct room *room, const char *criterion,
     verdicts_held++;
 }
 
-/* The same for a figure that has no verdict. */
+/* The same for a figure without a verdict. */
 static void assert_stated(const struct room *room, const char *criterion,
                           const char *of, double figure, double tolerance)
 {
@@ -223,7 +226,7 @@ static int unload(void **state)
     return 0;
 }
 
-/* The name that the program gives an opening. */
+/* The program's name for an opening. */
 static const char *words_of(char words[80], const struct pp_world *world, int opening)
 {
     const struct pp_opening *of = &world->openings[opening];
@@ -247,9 +250,10 @@ static struct pp_vec3 middle_outside(const struct pp_opening *opening)
 
 /* ---- the tests ---- */
 
-/* VSC(alpha) = 3/14 (1 - sin alpha) + 4/(7 pi) cos^2 alpha behind an endless skyline,
- * with alpha from the middle of the pane itself; what blocks and roofs hide is counted
- * in 80,000 directions, each 3e-5 of the whole, along an outline of some 300: 0.3 %. */
+/* VSC(alpha) = 3/14 (1 - sin alpha) + 4/(7 pi) cos^2 alpha behind an infinitely long
+ * skyline, with alpha from the middle of the pane. The part hidden by blocks and roofs
+ * is counted in 80,000 directions of 3e-5 each; an outline crosses about 300 of them:
+ * 0.3 %. */
 static void vertical_sky_components_agree(void **state)
 {
     (void)state;
@@ -278,7 +282,7 @@ static void vertical_sky_components_agree(void **state)
                         : atan((head - eye.z) / (line->distance_m - opening->reveal_m));
                 vsc = 300.0 / 14.0 * (1.0 - sin(alpha))
                       + 400.0 / (7.0 * PP_PI) * cos(alpha) * cos(alpha);
-                /* One with a distance is 200 times as long. */
+                /* A skyline with a distance is 200 times as long as its distance. */
                 tolerance = isinf(line->distance_m) ? 1e-6 : 1e-5 * vsc;
             } else {
                 vsc = 100.0
@@ -292,9 +296,9 @@ static void vertical_sky_components_agree(void **state)
     }
 }
 
-/* The obstruction angle: the highest of directions 0.05 degrees apart in which a ray
- * meets an obstruction; of a skyline, in these rooms all that stands before such a window,
- * the angle that the file gives, which is that from the outer face. */
+/* The obstruction angle is that of the highest of directions 0.05 degrees apart in
+ * which a ray meets an obstruction. For a skyline, in these rooms the only obstruction
+ * of its window, it is the angle in the file, measured from the outer face. */
 static void angles_in_section_agree(void **state)
 {
     (void)state;
@@ -330,8 +334,8 @@ static void angles_in_section_agree(void **state)
     }
 }
 
-/* Areas by counting 40 x 40 points of the plan's extent, of which the line cuts some
- * 50: 1 % of the plane. */
+/* Areas by counting 40 x 40 points of the plan's extent. The line crosses about 50 of
+ * their cells: 1 % of the plane. */
 static void areas_that_see_sky_agree(void **state)
 {
     (void)state;
@@ -358,7 +362,7 @@ static void areas_that_see_sky_agree(void **state)
             eye.z = 0.85;
             lit += sight_sky_factor(world, eye, 8, false) > 0.002;
         }
-        double area = facts[i].floor_m2; /* all walls are upright */
+        double area = facts[i].floor_m2; /* all walls are vertical */
         struct json_object *beyond = finding(&rooms[i], "no-sky-line", "area without");
         assert_near(json_object_get_double(field(beyond, "figure")),
                     (1.0 - (double)see / points) * area, 0.015 * area);
@@ -405,15 +409,15 @@ static void glazing_over_floor_agrees(void **state)
     }
 }
 
-/* ---- daylight factors: the methods' own, on points that are laid out here ---- */
+/* ---- daylight factors by the program's methods, at points laid out here ---- */
 
 enum { POINTS_MOST = 400 };
 
 struct points {
     struct pp_receiver list[POINTS_MOST];
     int count;
-    double values[POINTS_MOST]; /* falling */
-    double mean, average;       /* of the points; of the whole plane */
+    double values[POINTS_MOST]; /* in descending order */
+    double mean, average;       /* mean of the points; average over the whole plane */
 };
 
 static int falling(const void *a, const void *b)
@@ -422,7 +426,7 @@ static int falling(const void *a, const void *b)
     return (x < y) - (x > y);
 }
 
-/* The grid of EN 17037: centres of the cells of the plan's extent less 0.5 m. */
+/* The grid of EN 17037: centres of the cells within the plan's extent less 0.5 m. */
 static void lay_out(struct points *points, const struct pp_world *world)
 {
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
@@ -549,7 +553,7 @@ static void averages_and_uniformity_agree(void **state)
     }
 }
 
-/* Towards the sun, in the axes of the room. */
+/* Direction of the sun, in the axes of the room. */
 static struct pp_vec3 sun_at(const struct pp_world *world, double days)
 {
     struct pp_sun sun = pp_sun_at(days, world->latitude_rad, 0.0);
@@ -557,7 +561,7 @@ static struct pp_vec3 sun_at(const struct pp_world *world, double days)
     return pp_vec(level * sin(azimuth), level * cos(azimuth), sin(sun.altitude_rad));
 }
 
-/* Within 90 degrees, due east and west included? */
+/* True if the window faces within 90 degrees of south, due east and west included. */
 static bool faces_south(const struct pp_world *world, const struct pp_opening *opening)
 {
     struct pp_vec3 n = opening->inner.normal;
@@ -571,8 +575,9 @@ static bool shines_on(const struct pp_world *world, struct pp_vec3 eye,
            && sight_sees_sky(world, eye, u, opening->face);
 }
 
-/* Per cent of the year's hours, and of those of winter, counted every ten minutes: a
- * thousand ends of sun, each 3 minutes off, are 1.5 of 4400 hours. */
+/* Per cent of the hours of the year, and of winter, counted every ten minutes. About a
+ * thousand ends of sun periods, each with an error of 3 minutes, are 1.5 of 4400
+ * hours. */
 static void sunlight_hours_agree(void **state)
 {
     (void)state;
@@ -594,7 +599,8 @@ static void sunlight_hours_agree(void **state)
                 bool shines = shines_on(world, eye, opening, u);
                 up += u.z > 0.0;
                 year += shines;
-                /* Day 0 to 79 end with 21 March, from 263 on begin with 21 September. */
+                /* Days 0 to 79 end on 21 March; days from 263 on begin on 21
+                 * September. */
                 winter += shines && (minute / 1440 < 80 || minute / 1440 >= 263);
             }
             snprintf(of, sizeof of, "%s, year", words);
@@ -605,7 +611,7 @@ static void sunlight_hours_agree(void **state)
     }
 }
 
-/* Does the sun come in at the reference point of the opening? */
+/* True if the sun reaches the reference point of the opening. */
 static bool comes_in(const struct pp_world *world, int index, struct pp_vec3 u)
 {
     const struct pp_opening *opening = &world->openings[index];
@@ -625,7 +631,7 @@ static bool comes_in(const struct pp_world *world, int index, struct pp_vec3 u)
     return shines_on(world, eye, opening, u);
 }
 
-/* Hours on 21 March, counted every 20 seconds, with the sun above the horizon. */
+/* Hours on 21 March, counted every 20 seconds while the sun is above the horizon. */
 static void hours_of_exposure_agree(void **state)
 {
     (void)state;
@@ -655,8 +661,9 @@ static void hours_of_exposure_agree(void **state)
     }
 }
 
-/* One verdict a window of two criteria (none of an obstruction of more than 25 degrees),
- * 20 of each room and one of boxes; those of the view out in test_view_out.c. */
+/* One verdict per window for two criteria (none for an obstruction of more than 25
+ * degrees), 20 for each room and one for box-shaped rooms; test_view_out.c tests those
+ * of the view out. */
 static void every_verdict_was_held_against_another_route(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* Counts of windows and rooms by BR 209, and their sums by floor and house. */
+/* test_br209_count.c - counts of windows and rooms by BR 209, and their totals by floor
+ * and house. */
 #include "studies/criteria/br209_count.h"
 
 #include <stdlib.h>
@@ -8,7 +9,7 @@
 
 enum { ROOMS = 5 };
 
-/* A room with one window, whose sky falls from 40 % to `now`. */
+/* A room with one window, whose sky component falls from 40 % to `now`. */
 struct one_room {
     struct pp_world world;
     struct pp_study_room room;
@@ -40,7 +41,7 @@ static void floors_and_houses_have_their_sums(void **state)
     struct pp_error err;
     char words[PP_BR209_WORDS], twelve[] = "12 Mill Lane", other[] = "14 Mill Lane";
     int count;
-    make_room(&list[0], &rooms[0], twelve, 3.1, 0.36, false); /* loses 10 % */
+    make_room(&list[0], &rooms[0], twelve, 3.1, 0.36, false); /* loss of 10 % */
     make_room(&list[1], &rooms[1], other, 0.0, 0.22, false);  /* 45 % */
     make_room(&list[2], &rooms[2], twelve, 0.0, 0.30, false); /* 25 % */
     make_room(&list[3], &rooms[3], twelve, 0.2, 0.26, false); /* 35 %, same floor */

@@ -1,4 +1,5 @@
-/* The nearest capital of the standard's table, and its illuminance. */
+/* test_capitals.c - the nearest capital in the standard's table, and its
+ * illuminance. */
 #include "studies/criteria/capitals.h"
 #include "model/geometry/vec.h"
 #include "tests/lib/near.h"
@@ -32,7 +33,8 @@ static void illuminances_agree_with_the_printed_targets(void **state)
                     pp_capitals_at(i)->target_300_percent, 0.05 + 1e-9);
 }
 
-/* Cambridge is 78 km from London, though Warsaw's latitude is nearer. */
+/* The distance is along the great circle: Cambridge is 78 km from London, although
+ * Warsaw's latitude is closer. */
 static void nearness_goes_by_the_great_circle(void **state)
 {
     (void)state;
@@ -45,8 +47,9 @@ static void nearness_goes_by_the_great_circle(void **state)
     assert_true(isnan(at(64.13, 179.0).lux));
 }
 
-/* Milan is nearer to Bern, Marseille too, Munich to Prague; 300 lx in Milan are a daylight
- * factor of 1.5625 % by Rome's 19,200 lx, 1.875 % by Bern's 16,000. */
+/* Milan and Marseille are closer to Bern, Munich to Prague. 300 lx in Milan require a
+ * daylight factor of 1.5625 % with Rome's 19,200 lx, and 1.875 % with Bern's 16,000
+ * lx. */
 static void the_table_goes_by_nation(void **state)
 {
     (void)state;
@@ -67,7 +70,7 @@ static void the_table_goes_by_nation(void **state)
                          pp_capitals_at(i));
 }
 
-/* North of Reykjavik, which all others are farther from. */
+/* North of Reykjavik, the nearest capital. */
 static void a_capital_speaks_for_a_thousand_kilometres(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* The findings of criteria in rooms whose answer is known on paper. */
+/* test_criteria.c - findings of criteria in rooms with results calculated by hand. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -18,7 +18,7 @@ static struct pp_world *world_of(struct pp_outside_light *light, const char *bod
     return pp_test_lit_world(light, text);
 }
 
-/* The findings of one criterion; the list is to be cleared. */
+/* Findings of one criterion; the caller clears the list. */
 static struct pp_finding_list found_by(const struct pp_criterion *criterion,
                                        const struct pp_world *world,
                                        const struct pp_outside_light *light,
@@ -52,7 +52,8 @@ static struct pp_finding_list found_by(const struct pp_criterion *criterion,
     return findings;
 }
 
-/* The index-th finding of one criterion in a room given by the XML in its element. */
+/* Finding number `index` of one criterion for a room given by the content of its
+ * element. */
 static struct pp_finding finding_in(const struct pp_criterion *criterion, int index,
                                     const char *body, const char *before_body)
 {
@@ -90,7 +91,7 @@ static void assert_not_judged(struct pp_finding finding, const char *why)
         fail_msg("\"%s\" does not say \"%s\"", finding.note, why);
 }
 
-/* ---- the sky before a window ---- */
+/* ---- the sky in front of a window ---- */
 
 /* VSC(alpha) = 3/14 (1 - sin alpha) + 4/(7 pi) cos^2 alpha: 39.618 % in the open,
  * 27.313 % behind 25 degrees, 26.729 % behind 26. */
@@ -107,8 +108,9 @@ static void the_vertical_sky_is_that_of_the_skyline(void **state)
                    0.273129, 1e-5, PP_MET);
 }
 
-/* From an east window, a wall 9 m to the south with its head 7.7 m up: a skyline before the
- * south wall, which has no windows, at 35 degrees from its middle at 1.45; and a block. */
+/* For an east window, a wall 9 m to the south with its top 7.7 m up: as a skyline in
+ * front of the south wall, which has no windows, at 35 degrees from its middle at 1.45
+ * m; and as a block. */
 #define EAST                                                                           \
     "<plan width='4.1' depth='6.3' height='2.9'/>"                                     \
     "<window wall='east' left='1.7' sill='0.95' width='1.2' height='1.3'/>"
@@ -150,8 +152,9 @@ static double angle_deg(const char *outside)
     return finding_in(&pp_criterion_obstruction, 0, body, NULL).figure / PP_RAD;
 }
 
-/* The rule measures from the outer face, and there the room file's angle is meant; taken
- * from inside, it would be 25.2 degrees in front of a reveal of 0.15 m, 15 m away. */
+/* The rule measures the angle from the outer face, as does the room file. Measured from
+ * inside, the angle would be 25.2 degrees with a reveal of 0.15 m and a distance of 15
+ * m. */
 static void a_skyline_typed_as_25_degrees_is_25_degrees_whatever_the_reveal(
     void **state)
 {
@@ -175,16 +178,16 @@ static void only_what_stands_in_the_section_counts(void **state)
     assert_near(angle_deg("<block x=\"2.1\" y=\"-18\" width=\"12\" depth=\"8\" "
                           "height=\"9.5\"/>"),
                 0.0, 0.0);
-    /* Turned by 45 degrees its edge is met at (2, -10 + ...): the corner stands at
-     * (3, -9); the edge towards (-x, -y) passes x = 2 at y = -10. */
+    /* Rotated by 45 degrees: the corner is at (3, -9), and its edge towards (-x, -y)
+     * crosses x = 2 at y = -10. */
     assert_near(
         angle_deg("<block x=\"3\" y=\"-9\" width=\"6\" depth=\"6\" height=\"5\" "
                   "rotate=\"135\"/>"),
         atan(3.4 / 8.0) / PP_RAD, 1e-6);
 }
 
-/* A wall that goes on about the window, in its plane or 0.3 m before it, is no building
- * opposite. */
+/* A wall that surrounds the window, in its plane or 0.3 m in front, is not an
+ * obstruction. */
 static void a_window_s_own_facade_is_no_obstruction(void **state)
 {
     (void)state;
@@ -195,8 +198,8 @@ static void a_window_s_own_facade_is_no_obstruction(void **state)
                 17.0, 1e-9);
 }
 
-/* A roof in the air from 0.5 to 1.2 m before the wall, 1.5 m above the middle; a wall
- * 8 m off with a gap down to 2.1 m in the section. */
+/* A roof 0.5 to 1.2 m in front of the wall, 1.5 m above the middle of the window; a
+ * wall 8 m away with a gap down to 2.1 m in the section. */
 static void sheets_and_gaps_count_as_they_are_cut(void **state)
 {
     (void)state;
@@ -216,7 +219,7 @@ static void sheets_and_gaps_count_as_they_are_cut(void **state)
                 atan(0.5 / 8.0) / PP_RAD, 1e-9);
 }
 
-/* With a bridge over the gap, from 4 to 6 m, the section cuts the sheet twice. */
+/* With a bridge over the gap, from 4 to 6 m, the section cuts the surface twice. */
 static void of_several_pieces_the_highest_counts(void **state)
 {
     (void)state;
@@ -229,7 +232,7 @@ static void of_several_pieces_the_highest_counts(void **state)
                           "<vertex x=\"2.5\" y=\"-8\" z=\"6\"/>"
                           "<vertex x=\"0\" y=\"-8\" z=\"6\"/></surface>"),
                 atan(4.4 / 8.0) / PP_RAD, 1e-9);
-    /* A notch whose point just touches the section at 3 m: 6 m is still the head. */
+    /* A notch whose point just touches the section at 3 m: the top is still at 6 m. */
     assert_near(angle_deg("<surface><vertex x=\"0\" y=\"-8\" z=\"0\"/>"
                           "<vertex x=\"4\" y=\"-8\" z=\"0\"/>"
                           "<vertex x=\"4\" y=\"-8\" z=\"2\"/>"
@@ -249,16 +252,16 @@ static void four_fifths_of_the_former_sky_is_asked(void **state)
                    0.30160 / 0.35350, 1e-4, PP_MET);
     assert_verdict(finding_in(former, 0, ROOM SKYLINE(40), ROOM SKYLINE(10)),
                    0.18329 / 0.35350, 1e-4, PP_NOT_MET);
-    /* Less than 0.8 is left, and yet 27 %. */
+    /* Less than 0.8 is left, but still 27 %. */
     assert_verdict(finding_in(former, 0, ROOM SKYLINE(25), ROOM), 0.273129 / 0.39618,
                    1e-4, PP_MET);
     assert_not_judged(finding_in(former, 0, ROOM, ROOM SKYLINE(89.9999)),
                       "no view of the sky");
 }
 
-/* ---- the area that sees sky ---- */
+/* ---- the area with a view of the sky ---- */
 
-/* The head at 2.25 m rises over 30 degrees up to 1.4/tan 30 from the window. */
+/* The head at 2.25 m appears above 30 degrees up to 1.4/tan 30 from the window. */
 static void the_area_beyond_the_no_sky_line_is_the_back_of_the_room(void **state)
 {
     (void)state;
@@ -275,8 +278,8 @@ static void the_area_beyond_the_no_sky_line_is_the_back_of_the_room(void **state
                    PP_NOT_MET);
 }
 
-/* Behind atan(1.4 / (0.8 * 6.3)) the no-sky line lies at 0.8 of the depth: to its
- * tolerance of a millimetre the rule is undecided. */
+/* Behind a skyline of atan(1.4 / (0.8 * 6.3)) the no-sky line is at 0.8 of the depth:
+ * within its tolerance of a millimetre the verdict is undecided. */
 static void what_the_line_cannot_tell_is_undecided(void **state)
 {
     (void)state;
@@ -287,9 +290,9 @@ static void what_the_line_cannot_tell_is_undecided(void **state)
                    PP_UNDECIDED);
 }
 
-/* Sky factor of a level point d before an upright rectangle from its own height up to
- * h, from the normal to w on one side: 1/2pi [atan w/d - d/s atan w/s], s = hypot(d,
- * h). */
+/* Sky factor of a horizontal point at distance d from a vertical rectangle, from its
+ * own height up to h, from the normal to w on one side: 1/2pi [atan w/d - d/s atan
+ * w/s], s = hypot(d, h). */
 static double corner_factor(double w, double h, double d)
 {
     double s = hypot(d, h);
@@ -298,14 +301,14 @@ static double corner_factor(double w, double h, double d)
 
 static double sky_factor(double x, double d)
 {
-    double left = x - 0.8, right = 3.4 - x; /* the window is from 0.8 to 3.4 */
+    double left = x - 0.8, right = 3.4 - x; /* the window extends from 0.8 to 3.4 */
     double head = 1.4, sill = 0.1;
     return corner_factor(right, head, d) + corner_factor(left, head, d)
            - corner_factor(right, sill, d) - corner_factor(left, sill, d);
 }
 
-/* The area of a deep room where the closed form is above 0.2 %, in 500 x 1500 points:
- * the outline is cut into a thousand pieces, so that this is good to 1e-4. */
+/* The area of a deep room where the closed form exceeds 0.2 %, by 500 x 1500 points.
+ * The outline crosses about a thousand cells, so this is accurate to 1e-4. */
 static void the_grumble_line_encloses_what_the_closed_form_does(void **state)
 {
     (void)state;
@@ -317,7 +320,8 @@ static void the_grumble_line_encloses_what_the_closed_form_does(void **state)
                > 0.002;
     double area = (double)lit / (ACROSS * DEEP) * 4.1 * 14.0;
 
-    /* Neither sky nor glass, frame, dirt or working plane is looked at. */
+    /* The sky and the glass, frame, dirt and working plane of the room do not
+     * matter. */
     static const char *const rooms[] = {
         "<plan width=\"4.1\" depth=\"14\" height=\"2.9\"/>" WINDOW,
         "<plan width=\"4.1\" depth=\"14\" height=\"2.9\"/>"
@@ -327,7 +331,8 @@ static void the_grumble_line_encloses_what_the_closed_form_does(void **state)
     for (int i = 0; i < 2; i++) {
         char body[1024];
         snprintf(body, sizeof body, "%s", rooms[i]);
-        /* left is from outside: the window is from 0.7 or 0.8 on, as one looks. */
+        /* `left` is measured from outside: seen from inside the window begins at 0.7 or
+         * 0.8. */
         struct pp_finding enclosed =
             finding_in(&pp_criterion_rights_of_light, 0, body, NULL);
         assert_near(enclosed.figure, area, 0.01);
@@ -338,7 +343,8 @@ static void the_grumble_line_encloses_what_the_closed_form_does(void **state)
     }
 }
 
-/* The area that a house opposite takes is the former area less the present one. */
+/* The area lost because of a house opposite is the former area minus the present
+ * one. */
 static void the_area_lost_is_the_difference(void **state)
 {
     (void)state;
@@ -382,7 +388,7 @@ static void a_section_at_the_working_plane_is_the_plane(void **state)
 #define HEAD_AT_2_4                                                                    \
     "<window wall=\"south\" left=\"0.7\" sill=\"0.9\" width=\"2.6\" height=\"1.5\"/>"
 
-/* w 4 m, h 2.4 m, R_b 0.5: 2/(1 - 0.5) is 4, which 6 m deep is to the last digit. */
+/* w 4 m, h 2.4 m, R_b 0.5: 2/(1 - 0.5) is 4, exactly the limit for a depth of 6 m. */
 static void a_room_may_be_as_deep_as_the_formula_says(void **state)
 {
     (void)state;
@@ -394,8 +400,8 @@ static void a_room_may_be_as_deep_as_the_formula_says(void **state)
                      PP_NOT_MET);
 }
 
-/* Rear half of 6 m by 4 m by 3 m: floor 12 at 0.2, ceiling 12 at 0.7, side walls 18 at
- * 0.5, back wall 12 at 0.8: 29.4 over 54 m2. */
+/* Rear half of 6 m by 4 m by 3 m: floor 12 m2 at 0.2, ceiling 12 at 0.7, side walls 18
+ * at 0.5, back wall 12 at 0.8: 29.4 / 54. */
 static void the_rear_half_alone_reflects(void **state)
 {
     (void)state;
@@ -433,7 +439,8 @@ static void other_rooms_have_no_limiting_depth(void **state)
         "not a box");
 }
 
-/* Glass of 2.6 by 1.5 m less frame over 24 m2; a rough opening of 3.9 m2 over it. */
+/* Glass of 2.6 by 1.5 m less its frame over 24 m2; the rough opening of 3.9 m2 over 24
+ * m2. */
 static void glazing_is_net_of_frames_for_one_code_and_not_for_the_other(void **state)
 {
     (void)state;
@@ -449,8 +456,8 @@ static void glazing_is_net_of_frames_for_one_code_and_not_for_the_other(void **s
 
 #define LONDON "<site latitude=\"51.5\" longitude=\"-0.1\"/>"
 
-/* The basis names the highest level that is met with all below it; each level has
- * `each` findings. */
+/* Asserts that the basis names the highest level that is met together with all lower
+ * levels; each level has `each` findings. */
 static void assert_level(const struct pp_finding_list *findings, int each)
 {
     static const char *const levels[] = {"none", "minimum", "medium", "high"};
@@ -501,14 +508,14 @@ static void under_rooflights_nearly_all_of_the_plane_is_asked(void **state)
     assert_non_null(strstr(findings.basis, "exact+split-flux, not simulated"));
     assert_level(&findings, 1);
     pp_finding_list_clear(&findings);
-    /* And evenness as under a glazed roof. */
+    /* And the uniformity required below a glazed roof. */
     findings = found_by(&pp_criterion_uniformity, world, &light, NULL);
     assert_near(findings.list[0].wanted, 0.7, 0.0);
     pp_finding_list_clear(&findings);
     pp_world_destroy(world);
 }
 
-/* Level glass is within 15 degrees, a glazed roof slopes less than 75. */
+/* Horizontal glass slopes by less than 15 degrees, a glazed roof by less than 75. */
 static void slopes_are_told_apart_at_15_and_75_degrees(void **state)
 {
     (void)state;
@@ -562,16 +569,16 @@ static void what_cannot_be_asked_is_not_judged(void **state)
         finding_in(&pp_criterion_average, 1, ROOM "<sky type=\"iso-5\"/>", NULL),
         "overcast");
     assert_not_judged(finding_in(&pp_criterion_uniformity, 0, PLAN, NULL), "no light");
-    /* The standard's other overcast sky is one, and no hand method but split-flux knows
-     * it. */
+    /* The other overcast sky of ISO 15469 is accepted, but of the hand methods only
+     * split-flux covers it. */
     assert_int_not_equal(
         finding_in(provision, 0, ROOM LONDON "<sky type=\"iso-1\"/>", NULL).verdict,
         PP_NOT_JUDGED);
 }
 
-/* A verdict given with 95 % may be wrong once in twenty. Of 24 seeds and 9 targets of a
- * room, against the same traced 10 times as finely, no more than a few are, and where
- * the sampling can't tell none is given. */
+/* A verdict with 95 % confidence may be wrong once in twenty. Of 24 seeds and 9 targets
+ * for a room, compared with a simulation with 10 times the accuracy, only a few are
+ * wrong; where sampling errors are too large, there is no verdict. */
 static void traced_verdicts_are_right_as_often_as_they_say(void **state)
 {
     (void)state;
@@ -596,8 +603,8 @@ static void traced_verdicts_are_right_as_often_as_they_say(void **state)
         pp_test_trace(world, &light, grid, count, &fine, NULL);
     for (int i = 0; i < count; i++)
         column->points[i] = pp_reading_of(truth[i][PP_DF].value);
-    /* A median so that the target of 300 lx lies at the value that half of the points
-     * reach: the hardest case. */
+    /* The median illuminance is chosen so that the target of 300 lx is at the value
+     * that half of the points reach: the most difficult case. */
     struct pp_finding_list findings = {0};
     inquiry.median.lux = 14100.0;
     assert_int_equal(pp_criterion_en17037.evaluate(&inquiry, &findings, NULL), PP_OK);

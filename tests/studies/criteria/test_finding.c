@@ -3,7 +3,7 @@
 
 #include "tests/lib/near.h"
 
-/* Verdict on a hand figure of 0.69 % with that likely range, for that target (per cent). */
+/* Verdict for a hand figure of 0.69 % with this likely range and target (per cent). */
 static enum pp_verdict verdict_for(double low, double high, double wanted)
 {
     struct pp_finding finding =
@@ -12,7 +12,8 @@ static enum pp_verdict verdict_for(double low, double high, double wanted)
     return finding.verdict;
 }
 
-/* Met or not met only if the figure and all of its range are on one side of the target. */
+/* Met or not met only if the figure and its whole range are on one side of the
+ * target. */
 static void a_target_in_the_range_is_undecided(void **state)
 {
     (void)state;
@@ -22,7 +23,8 @@ static void a_target_in_the_range_is_undecided(void **state)
     assert_int_equal(verdict_for(0.40, 0.74, 0.80), PP_NOT_MET);
 }
 
-/* A figure above its range is probably too high: a target between them is not met for sure. */
+/* A figure above its range is probably too high, so a target between them is not
+ * certainly met. */
 static void a_target_between_figure_and_range_is_undecided(void **state)
 {
     (void)state;

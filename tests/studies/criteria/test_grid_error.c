@@ -1,4 +1,5 @@
-/* The error that a grid's spacing makes, in fields whose area shares are known. */
+/* test_grid_error.c - the error caused by the spacing of a grid, for functions whose
+ * area shares are known. */
 #include <stdlib.h>
 
 #include "studies/criteria/grid/grid_error.h"
@@ -7,7 +8,7 @@
 
 enum { COLUMNS = 7, ROWS = 5, MOST = COLUMNS * ROWS };
 
-/* A full lattice over a plane of 1 by 1, with a field at its points. */
+/* A complete grid over a plane of 1 by 1, with the values of a function. */
 static struct pp_plane_grid grid_of(struct pp_reading points[MOST],
                                     double (*field)(double x, double y))
 {
@@ -47,10 +48,11 @@ static void an_even_plane_has_no_error(void **state)
     pp_plane_grid_clear(&grid);
 }
 
-/* 0.0225 is reached where y is at most 0.375. Of five rows at 0.1, 0.3, ... two reach it:
- * 0.4 of the plane in place of 0.375, and of 20 finer rows at 0.025, 0.075, ... seven
- * (0.35) or, by rounding of 0.375 itself, eight (0.4). The level of 95 % of the points is
- * that of the last row, 0.012; of the finer rows that of the nineteenth, at y = 0.925. */
+/* 0.0225 is reached where y is at most 0.375. Two of five rows at 0.1, 0.3, ... reach
+ * it: 0.4 of the plane instead of 0.375. Of 20 finer rows at 0.025, 0.075, ... seven
+ * (0.35) or, because 0.375 is rounded, eight (0.4) reach it. The level of 95 % of the
+ * points is that of the last row, 0.012; for the finer rows that of the nineteenth, at
+ * y = 0.925. */
 static void a_contour_along_the_rows_is_off_by_part_of_a_row(void **state)
 {
     (void)state;
@@ -67,7 +69,7 @@ static void a_contour_along_the_rows_is_off_by_part_of_a_row(void **state)
     pp_plane_grid_clear(&grid);
 }
 
-/* The slopes of a plane are found exactly, so that the median of a linear field is. */
+/* The slopes of a linear function are estimated exactly, and so is its median. */
 static void the_median_of_a_linear_field_has_no_error(void **state)
 {
     (void)state;

@@ -1,10 +1,10 @@
-/* test_leed.c - LEED's points from a year whose areas are known. */
+/* test_leed.c - LEED points for a year whose areas are known. */
 #include "studies/criteria/criteria.h"
 #include <string.h>
 
 #include "tests/lib/room_of.h"
 
-/* A finished year of a grid with blinds and LM-83's hours. */
+/* A completed year on a grid with blinds and LM-83's hours. */
 static struct pp_annual_sheet year_of(double sda, double sda_error, double ase)
 {
     return (struct pp_annual_sheet){
@@ -25,7 +25,7 @@ static struct pp_finding_list judged(const struct pp_annual_sheet *year)
     return findings;
 }
 
-/* 60 % is over 40 and 55, and below 75. */
+/* 60 % exceeds the thresholds of 40 and 55, but not 75. */
 static void each_threshold_that_is_reached_is_a_point(void **state)
 {
     (void)state;
@@ -41,7 +41,7 @@ static void each_threshold_that_is_reached_is_a_point(void **state)
     pp_finding_list_clear(&findings);
 }
 
-/* One standard error from the threshold: 84 % likely, which is not sure. */
+/* One standard error from the threshold: 84 % probability, which is not enough. */
 static void area_near_a_threshold_is_undecided(void **state)
 {
     (void)state;

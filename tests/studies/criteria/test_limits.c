@@ -1,4 +1,4 @@
-/* test_limits.c - the limits that codes print, from just above and just below. */
+/* test_limits.c - limits printed in codes, tested just above and just below. */
 #include <stdio.h>
 
 #include "tests/lib/opened.h"
@@ -16,7 +16,7 @@ static struct pp_test_opened judged(const char *criteria, const char *outside)
     return opened;
 }
 
-/* 1 % in bedrooms, 1.5 % in living rooms, 2 % in kitchens [BS8206], of one average. */
+/* 1 % in bedrooms, 1.5 % in living rooms, 2 % in kitchens [BS8206], for one average. */
 static void dwellings_ask_for_one_to_two_per_cent(void **state)
 {
     (void)state;
@@ -34,7 +34,8 @@ static void dwellings_ask_for_one_to_two_per_cent(void **state)
     pp_test_close(&opened);
 }
 
-/* 25 degrees [BR209]: a far skyline of 24.8 keeps the rule, one of 25.2 does not. */
+/* 25 degrees [BR209]: a skyline at infinite distance of 24.8 degrees meets the rule,
+ * one of 25.2 does not. */
 static void obstructions_may_rise_to_25_degrees(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* test_pair_rooms.c - a room and the room as it was before: whose windows are whose. */
+/* test_pair_rooms.c - matching the windows of a room with those of the same room
+ * before. */
 #include "studies/criteria/pair_rooms.h"
 
 #include <stdio.h>

@@ -1,10 +1,10 @@
-/* The spacing of grids by which criteria judge. */
+/* test_plane_grid.c - the spacing of grids for criteria. */
 #include "tests/lib/near.h"
 
 #include "studies/criteria/grid/plane_grid.h"
 #include "tests/lib/room_of.h"
 
-/* 5^log10(10) is 5, 5^log10(100) is 25 and half of that above the most. */
+/* 5^log10(10) is 5; 5^log10(100) is 25, and half of that exceeds the maximum. */
 static void the_spacing_grows_slower_than_the_room(void **state)
 {
     (void)state;
@@ -14,7 +14,7 @@ static void the_spacing_grows_slower_than_the_room(void **state)
     assert_near(pp_plane_grid_largest_spacing(100.0, 70.0), 10.0, 0.0);
 }
 
-/* log10 of 3.7 is 0.568202, times ln 5 0.914486, e to that 2.495491. */
+/* log10 of 3.7 is 0.568202; times ln 5 it is 0.914486; e to this power is 2.495491. */
 static void the_shorter_side_counts_in_long_rooms(void **state)
 {
     (void)state;
@@ -23,7 +23,7 @@ static void the_shorter_side_counts_in_long_rooms(void **state)
     assert_true(pp_plane_grid_largest_spacing(3.7, 7.3) > 0.5 * 2.495491 + 0.5);
 }
 
-/* 14.1 x 14.1 m at 0.1 m are 19,881 cells, 14.2 x 14.2 m 20,164. */
+/* 14.1 x 14.1 m with 0.1 m has 19,881 cells, 14.2 x 14.2 m has 20,164. */
 static void a_grid_of_too_many_cells_has_no_points_and_says_so(void **state)
 {
     (void)state;

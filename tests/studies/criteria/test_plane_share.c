@@ -1,4 +1,5 @@
-/* The share of the plane that reaches a daylight factor, and its probability. */
+/* test_plane_share.c - the share of the plane that reaches a daylight factor, and its
+ * probability. */
 #include <stdlib.h>
 
 #include "studies/criteria/finding.h"
@@ -27,10 +28,10 @@ static void computed_points_are_counted(void **state)
     assert_near(half.level, 0.019, 0.0); /* 4 of 7 are half of them or more */
     assert_near(half.over, 3.0 / 7.0, 1e-15);
     assert_true(isnan(half.std_error) && isnan(half.probability));
-    /* All 7 are the least number that is 95 % of 7 points. */
+    /* 95 % of 7 points requires all 7. */
     assert_near(share_of(points, 7, 0.95, 0.02).level, 0.007, 0.0);
     assert_near(share_of(points, 7, 1.0, 0.007).over, 1.0, 0.0);
-    /* The least number for 95 % of 20 points is 19, whatever 0.95 * 20 is in binary. */
+    /* 95 % of 20 points requires 19, in spite of the rounding of 0.95 * 20. */
     struct pp_reading many[20];
     for (int i = 0; i < 20; i++)
         many[i] = pp_reading_of(0.001 * (i + 1));
@@ -57,11 +58,11 @@ static void one_point_is_as_sure_as_the_normal_distribution(void **state)
     struct pp_plane_share share = share_of(&point, 1, 0.5, 0.0209);
     assert_near(share.probability, 0.8413447460685429, 1e-12);
     assert_near(share.level, 0.0213, 0.0);
-    /* 0.8413 and 0.1587 lie one standard error off, to 2e-4 of it. */
+    /* Phi(1) = 0.8413 and 0.1587 are one standard error away, to 2e-4 of it. */
     assert_relative(share.std_error, 0.0004, 1e-3);
 }
 
-/* All 64 outcomes of six points, one by one. */
+/* Enumerates all 64 outcomes of six points. */
 static void sums_of_unlike_tosses_are_what_enumeration_gives(void **state)
 {
     (void)state;
@@ -84,13 +85,13 @@ static void sums_of_unlike_tosses_are_what_enumeration_gives(void **state)
             }
             sum += reach >= wanted ? odds : 0.0;
         }
-        /* Just above and below a half it is no median. */
+        /* Slightly above and below one half, the level is not the median. */
         double part = wanted == 3 ? 0.5 - 1e-6 : wanted / 6.0;
         assert_near(share_of(points, 6, part, 0.02).probability, sum, 1e-11);
     }
 }
 
-/* Uniform numbers by a congruential generator, which is good enough here. */
+/* Uniform numbers by a congruential generator, which is sufficient here. */
 static double uniform(unsigned *state)
 {
     *state = *state * 1664525u + 1013904223u;
@@ -103,7 +104,7 @@ static double normal(unsigned *state)
     return sqrt(-2.0 * log(u)) * cos(2.0 * 3.14159265358979323846 * v);
 }
 
-/* `count` values that rise by 4 % and their errors by 2 %. */
+/* `count` values, each 4 % higher than the last, with errors 2 % higher. */
 static void make_rising(struct pp_reading *points, int count, double first,
                         double std_error)
 {
@@ -118,9 +119,10 @@ static int in_order(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Draws values round the readings and compares the medians' frequency at or above the
- * target, and half the distance between those that 16 and 84 % of the draws exceed. 20,000
- * draws: four standard errors of a frequency are 1.4 %, of that distance 4 %. */
+/* Draws random values about the readings. Compares the frequency of medians at or above
+ * the target, and half the distance between those exceeded by 16 and 84 % of the draws.
+ * For 20,000 draws four standard errors of a frequency are 1.4 %, and of that distance
+ * 4 %. */
 static void compare_with_draws(const struct pp_reading *points, int count,
                                double common, double target)
 {
@@ -162,8 +164,8 @@ static void probability_and_error_are_what_drawing_gives(void **state)
     compare_with_draws(points, 31, 0.0, 0.0214);
 }
 
-/* Where the middle two overlap, where they stand apart, with unlike errors, and where a
- * part of the error is in common. */
+/* Cases in which the middle two values overlap, in which they are separate, with
+ * different errors, and with partly common errors. */
 static void median_of_an_even_number_is_as_sure_as_drawing_says(void **state)
 {
     (void)state;
@@ -196,17 +198,18 @@ static void many_points_are_quick_and_as_sure(void **state)
     struct pp_reading points[MOST];
     for (int i = 0; i < MOST; i++)
         points[i] = (struct pp_reading){.value = 0.02, .std_error = 0.0003};
-    /* Alike tosses: 200 or more of 399 heads. */
+    /* Equal probabilities: 200 or more of 399. */
     assert_near(share_of(points, MOST - 1, 0.5, 0.02).probability, 0.5, 1e-9);
-    /* The median of 400 is as often above as below; its error is that of 399. */
+    /* The median of 400 is above or below with equal probability; its error is that of
+     * 399. */
     struct pp_plane_share even = share_of(points, MOST, 0.5, 0.02);
     assert_near(even.probability, 0.5, 1e-3);
     assert_relative(even.std_error, share_of(points, MOST - 1, 0.5, 0.02).std_error,
                     0.01);
 }
 
-/* Probability that `wanted` points or more reach the target, by adding one after the
- * other to the distribution of their number. */
+/* Probability that at least `wanted` points reach the target, by adding one point after
+ * the other to the distribution of their number. */
 static double reached_by(const struct pp_reading *points, int count, int wanted,
                          double target)
 {
@@ -223,7 +226,8 @@ static double reached_by(const struct pp_reading *points, int count, int wanted,
     return sum;
 }
 
-/* More points than are computed without approximation, with unlike values and errors. */
+/* More points than are calculated without approximation, with different values and
+ * errors. */
 static void many_points_are_normal_to_two_thousandths(void **state)
 {
     (void)state;
@@ -236,7 +240,8 @@ static void many_points_are_normal_to_two_thousandths(void **state)
     for (int i = 0; i < 5; i++) {
         double exact = reached_by(points, count, (count + 1) / 2, targets[i]);
         assert_near(share_of(points, count, 0.5, targets[i]).probability, exact, 0.002);
-        /* Just above a half of an even number it is no median. */
+        /* Slightly above one half, the level of an even number of points is not the
+         * median. */
         exact = reached_by(points, MOST, 240, targets[i]);
         assert_near(share_of(points, MOST, 0.6, targets[i]).probability, exact, 0.002);
     }
@@ -278,8 +283,8 @@ static void a_figure_nearer_than_its_error_decides_nothing(void **state)
     assert_int_equal(stated.verdict, PP_STATED);
 }
 
-/* Points that go wrong together are as one: half of them reach a target with the
- * probability of the middle one, and the level is as uncertain as that. */
+/* Points whose errors are entirely in common act as one point: half of them reach a
+ * target with the probability of the middle one, and the level has its error. */
 static void points_that_go_wrong_together_are_as_one(void **state)
 {
     (void)state;
@@ -295,12 +300,13 @@ static void points_that_go_wrong_together_are_as_one(void **state)
     /* Phi((0.020005 - 0.0198) / 0.0004) */
     assert_near(together.probability, 0.6958, 2e-3);
     assert_relative(together.std_error, 0.0004, 0.01);
-    /* The median of 101 normal numbers: sqrt(pi/2)/sqrt(101) of one's error. */
+    /* Median of 101 normal numbers: sqrt(pi/2)/sqrt(101) of the error of one. */
     assert_relative(alone.std_error, 0.1247 * 0.0004, 0.03);
 }
 
-/* Between the two: a hundred points alike with a share c in common have a median with
- * the error sqrt(c + (1 - c) pi/2/100), in a normal approximation. */
+/* Between these limits: the median of a hundred equal points with the share c of the
+ * variance in common has the error sqrt(c + (1 - c) pi/2/100), in a normal
+ * approximation. */
 static void a_share_in_common_adds_to_the_levels_error(void **state)
 {
     (void)state;

@@ -1,11 +1,11 @@
-/* Daylight glare probability and position index against values worked out outside the
- * program. */
+/* test_dgp.c - daylight glare probability and position index compared with values
+ * calculated independently. */
 #include "tests/lib/near.h"
 
 #include "model/results/sheets/glare_sheet.h"
 #include "studies/glare/dgp.h"
 
-/* A level view to that bearing, in axes with y to the north. */
+/* A horizontal view with this bearing, in axes with y to the north. */
 static struct pp_frame view_to(double bearing_deg)
 {
     struct pp_vec3 z = pp_vec_at_bearing(bearing_deg * PP_RAD, 0.0);
@@ -20,7 +20,8 @@ static double index_of(double view_deg, double bearing_deg, double altitude_deg)
         &view, pp_vec_at_bearing(bearing_deg * PP_RAD, altitude_deg * PP_RAD));
 }
 
-/* Suns in pictures that evalglare 3.06 of Radiance has read; 16 is its limit. */
+/* Position indices of suns in pictures, calculated by evalglare 3.06 of Radiance, whose
+ * upper limit is 16. */
 static void index_above_the_line_of_sight_is_guths(void **state)
 {
     (void)state;
@@ -39,7 +40,7 @@ static void index_below_the_line_of_sight_is_iwatas(void **state)
     assert_true(index_of(0.0, 0.0, -30.0) < index_of(0.0, 0.0, 30.0));
 }
 
-/* (Ev, sum, DGP) of given views, from an independent calculation. */
+/* Ev, sum and DGP of given views, calculated independently. */
 static void dgp_of_given_views(void **state)
 {
     (void)state;

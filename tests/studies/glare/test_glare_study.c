@@ -1,5 +1,5 @@
-/* Daylight glare probability of views in two rooms, against path tracing and
- * evalglare 3.06 outside the program, and against what is known on paper. */
+/* test_glare_study.c - daylight glare probability of views in two rooms, compared with
+ * independent path tracing and evalglare 3.06, and with values calculated by hand. */
 #include "tests/lib/near.h"
 #include "tests/lib/room_of.h"
 
@@ -45,9 +45,9 @@ static struct pp_world *study_of(struct pp_glare_sheet *sheet, const char *xml, 
     return room.world;
 }
 
-/* Ev and its standard error, DGP and sum of L^2 omega/P^2 without the sun, of a path
- * tracer and of pictures by Radiance, both outside the program. DGP may differ by 0.01
- * by the grouping of sources. */
+/* Ev and its standard error, DGP and the sum of L^2 omega/P^2 without the sun, by an
+ * independent path tracer and from pictures by Radiance. DGP may differ by 0.01 because
+ * sources are grouped differently. */
 static void dgp_is_that_of_pictures(void **state)
 {
     (void)state;
@@ -82,8 +82,8 @@ static void dgp_is_that_of_pictures(void **state)
 }
 
 /* Sources of the third view by evalglare: 14,517 cd/m2 over 0.2999 sr, and sunlit walls
- * and floor of 2467 cd/m2 over 1.553 sr. Another view has the sun: the direct
- * illuminance over the solid angle of its disc. */
+ * and floor of 2467 cd/m2 over 1.553 sr. Another view contains the sun, with the direct
+ * illuminance divided by the solid angle of its disc as luminance. */
 static void sources_are_those_of_evalglare(void **state)
 {
     (void)state;
@@ -120,9 +120,9 @@ static double sum_of(const char *xml, int sky)
     return sum;
 }
 
-/* Glass of the same luminance over 0.7 of the solid angle; dirt dims the glass, so that
- * the sum changes by its square. The sky is far above the threshold, and nothing else
- * reaches it. */
+/* A frame reduces the solid angle of the glass to 0.7 without changing its luminance.
+ * Dirt reduces the luminance, and the sum by its square. The sky is far above the
+ * threshold, all other luminances are below it. */
 static void frames_take_solid_angle_and_dirt_takes_luminance(void **state)
 {
     (void)state;
@@ -138,8 +138,9 @@ static void frames_take_solid_angle_and_dirt_takes_luminance(void **state)
                     0.81 * clear, 1e-6);
 }
 
-/* An endless wall up to 60 degrees hides all sky that the eye sees; its own luminance
- * stays below the threshold. In the sun a white one of 0.8 exceeds it. */
+/* An infinitely long wall up to 60 degrees hides the sky in the field of view, and its
+ * own luminance is below the threshold. A white wall of 0.8 in the sun exceeds the
+ * threshold. */
 static void obstructions_hide_the_sky_and_may_be_sources(void **state)
 {
     (void)state;
@@ -157,7 +158,7 @@ static void obstructions_hide_the_sky_and_may_be_sources(void **state)
     assert_true(sum_of(far, OVERCAST) > 0.0);
 }
 
-/* A diffusing pane without reflections outside has the luminance tau E/pi: under an
+/* A diffusing pane without external reflections has the luminance tau E/pi: under an
  * overcast sky E is 0.396 + 0.1 of Eh. */
 static void a_diffusing_pane_is_one_even_source(void **state)
 {
@@ -177,9 +178,9 @@ static void a_diffusing_pane_is_one_even_source(void **state)
     pp_world_destroy(world);
 }
 
-/* A year of one occupied hour has the DGP of that moment, by patches, cells and a
- * coarser field of view. It is above 0.45 in all of the time, and EN 17037 gives no
- * level. */
+/* A year with one occupied hour has the DGP of that moment, calculated with patches,
+ * cells and a coarser field of view. DGP is always above 0.45, so no level of EN 17037
+ * is met. */
 static void an_hour_of_the_year_has_the_glare_of_its_moment(void **state)
 {
     (void)state;

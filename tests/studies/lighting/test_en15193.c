@@ -1,4 +1,4 @@
-/* EN 15193:2007, against values worked out on paper. */
+/* test_en15193.c - EN 15193:2007 compared with values calculated by hand. */
 #include "tests/lib/near.h"
 #include "tests/lib/room_of.h"
 

@@ -1,4 +1,5 @@
-/* Hunt's probability of switching on, against values worked out on paper. */
+/* test_hunt_switching.c - Hunt's probability of switching on, compared with values
+ * calculated by hand. */
 #include "tests/lib/near.h"
 
 #include "studies/lighting/hunt_switching.h"

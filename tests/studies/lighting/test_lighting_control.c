@@ -1,4 +1,5 @@
-/* Photoelectric controls, against values worked out on paper. */
+/* test_lighting_control.c - photoelectric controls compared with values calculated by
+ * hand. */
 #include "tests/lib/near.h"
 
 #include "studies/lighting/lighting_control.h"
@@ -9,7 +10,8 @@ static double power_at(const struct pp_lighting_control *control, double E)
     return pp_lighting_control_power(control, E, &on);
 }
 
-/* On below 310 lx, off from 480 lx: between them the lamps stay as they are. */
+/* The lamps are switched on below 310 lx and off above 480 lx; between these levels
+ * their state does not change. */
 static void a_differential_keeps_the_state_between_two_levels(void **state)
 {
     (void)state;
@@ -32,13 +34,13 @@ static void groups_go_out_at_equal_parts_of_the_target(void **state)
     assert_near(power_at(&control, 259.9), 2.0 / 3.0, 1e-12);
     assert_near(power_at(&control, 260.0), 1.0 / 3.0, 1e-12);
     assert_near(power_at(&control, 390.0), 0.0, 0.0);
-    control.steps = 1; /* is on-off without a differential */
+    control.steps = 1; /* equivalent to on-off without a differential */
     assert_near(power_at(&control, 389.9), 1.0, 0.0);
     assert_near(power_at(&control, 390.0), 0.0, 0.0);
 }
 
-/* Light 0.6 is 0.5/0.9 of the way from a tenth of the light, at a quarter of the power,
- * to all of it: 0.25 + 0.75 x 0.5/0.9 = 2/3. */
+/* A light output of 0.6 is 0.5/0.9 of the way from a tenth of the output, with a
+ * quarter of the power, to full output: 0.25 + 0.75 x 0.5/0.9 = 2/3. */
 static void dimmed_lamps_supply_what_is_missing(void **state)
 {
     (void)state;
@@ -57,8 +59,8 @@ static void dimmed_lamps_supply_what_is_missing(void **state)
     assert_near(power_at(&control, 385.0), 0.23, 1e-12);
 }
 
-/* Without residual power, lamps that are dimmed use no more than lamps switched in steps,
- * and those no more than lamps that are all on or all off. */
+/* Without standby power, dimmed lamps use at most as much as lamps switched in steps,
+ * and these at most as much as lamps that are either all on or all off. */
 static void finer_controls_save_more(void **state)
 {
     (void)state;

@@ -1,10 +1,10 @@
-/* Electric light in a few made-up days. */
+/* test_lighting_year.c - electric light in a few made-up days. */
 #include "tests/lib/near.h"
 
 #include "studies/lighting/hunt_switching.h"
 #include "studies/lighting/lighting_year.h"
 
-/* Two days of four records an hour from 6 to 10 h; occupied from 7:00 to 9:30. */
+/* Two days with four records an hour from 6 to 10 h; occupied from 7:00 to 9:30. */
 enum { AN_HOUR = 4, A_DAY = 4 * AN_HOUR, RECORDS = 2 * A_DAY };
 
 static void make_days(struct pp_annual_hour *hours)
@@ -60,8 +60,9 @@ static void above_the_target_all_is_saved(void **state)
     }
 }
 
-/* The photocell switches the light off at 6:30, before people come, at 420 lx; 350 lx
- * from 7:00 on keep it off. On the second day it stays below 400 lx: on all day. */
+/* The photocell switches the light off at 6:30, before the occupied time, at 420 lx;
+ * 350 lx from 7:00 keep it off. On the second day daylight is always below 400 lx, so
+ * the light is on all day. */
 static void a_photocell_follows_the_daylight_before_people_come(void **state)
 {
     (void)state;
@@ -78,8 +79,8 @@ static void a_photocell_follows_the_daylight_before_people_come(void **state)
     assert_near(year.used_h, 2.5, 1e-12);
 }
 
-/* 40 lx at the arrival of the first day, 500 lx at that of the second; what follows does
- * not matter. */
+/* 40 lx at the beginning of the first day, 500 lx at that of the second; later values
+ * do not matter. */
 static void light_switched_on_at_arrival_burns_until_departure(void **state)
 {
     (void)state;
@@ -102,7 +103,7 @@ static void light_switched_on_at_arrival_burns_until_departure(void **state)
     assert_near(fraction[A_DAY - 1], 0.0, 0.0); /* after 9:30 */
 }
 
-/* A record that is half occupied has half of its power. */
+/* A record that is half occupied counts with half of its power. */
 static void fractions_times_lengths_are_the_hours_used(void **state)
 {
     (void)state;

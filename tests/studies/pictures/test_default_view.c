@@ -1,4 +1,4 @@
-/* test_default_view.c - from where a room is looked at, where nothing else is said. */
+/* test_default_view.c - the default view of a room. */
 #include "model/pictures/camera.h"
 #include "studies/pictures/default_view.h"
 #include "simulate/scene/light_scene_of_world.h"
@@ -40,8 +40,9 @@ static void the_default_view_stands_back_and_sees_the_window(void **state)
     struct pp_view_place place;
     pp_default_view(&place, scene.light, scene.world, PP_ROOM_VIEW_PERSPECTIVE);
     assert_near(place.eye.z, 1.6, 1e-12);
-    assert_near(place.eye.x, 1.5, 0.15); /* half a step of the places tried */
-    assert_true(place.eye.y > 5.2 && place.eye.y < 5.65); /* clear of the wall at 6 */
+    assert_near(place.eye.x, 1.5, 0.15); /* half a step of the positions tested */
+    assert_true(place.eye.y > 5.2
+                && place.eye.y < 5.65); /* with a distance from the wall at 6 */
     assert_near(place.toward.z, 0.0, 0.0);
     assert_true(place.toward.y < -4.0);
 
@@ -54,7 +55,7 @@ static void the_default_view_stands_back_and_sees_the_window(void **state)
                      PP_OK);
     double x, y, distance_m;
     assert_true(pp_camera_project(&camera, pp_vec(1.4, 0.0, 0.0), &x, &y, &distance_m));
-    assert_near(x, 0.0, 1e-9); /* the window's wall is on the left, the floor below */
+    assert_near(x, 0.0, 1e-9); /* the window wall is on the left, the floor below */
     assert_near(y, 1.0, 1e-9);
 
     pp_default_view(&place, scene.light, scene.world, PP_ROOM_VIEW_FISHEYE);
@@ -62,8 +63,8 @@ static void the_default_view_stands_back_and_sees_the_window(void **state)
     clear(&scene);
 }
 
-/* A cupboard across the back, a column in the middle: the eye is before the one and not
- * behind the other. */
+/* With a cupboard along the back and a column in the middle, the eye is in front of the
+ * cupboard and not behind the column. */
 static void the_default_view_is_clear_of_what_stands_in_the_room(void **state)
 {
     (void)state;
@@ -87,7 +88,7 @@ static void the_default_view_is_clear_of_what_stands_in_the_room(void **state)
     clear(&scene);
 }
 
-/* Level distance to the next thing in that direction. */
+/* Horizontal distance to the nearest object in this direction. */
 static double free_m(const struct scene *scene, struct pp_vec3 eye, double angle_rad)
 {
     struct pp_light_ray ray = {.from = eye,
@@ -97,8 +98,8 @@ static double free_m(const struct scene *scene, struct pp_vec3 eye, double angle
     return pp_light_scene_first(scene->light, &ray, &hit) ? hit.distance_m : INFINITY;
 }
 
-/* From behind the corner of the L its wall would fill a third of the picture 3 m
- * away. */
+/* From behind the corner of the L-shaped room, a wall 3 m away would fill a third of
+ * the picture. */
 static void the_default_view_does_not_look_round_a_corner(void **state)
 {
     (void)state;
@@ -114,7 +115,7 @@ static void the_default_view_does_not_look_round_a_corner(void **state)
     clear(&scene);
 }
 
-/* A hand's breadth from a wall half the picture would be that wall. */
+/* From 0.1 m in front of a wall this wall would fill half of the picture. */
 static void the_default_view_keeps_clear_of_walls(void **state)
 {
     (void)state;
@@ -122,7 +123,7 @@ static void the_default_view_keeps_clear_of_walls(void **state)
         DEEP, L_SHAPED,
         "<room version='1'><plan width='1.6' depth='60' height='2.4'/>"
         "<window wall='south' left='0.3' sill='0.5' width='1' height='1.6'/></room>",
-        /* The hindmost places that are tried are 0.25 m before the wall. */
+        /* The rearmost positions tested are 0.25 m in front of the wall. */
         "<room version='1'><plan width='3.2' depth='12' height='2.4'/>"
         "<window wall='south' left='0.6' sill='0.5' width='2' height='1.6'/></room>",
         "<room version='1'><plan width='8' depth='5' height='4'/>"

@@ -1,5 +1,5 @@
-/* test_elevation_study.c - windows and walls of a site where they stand, and the sky over
- * walls by an integral of the test's own. */
+/* test_elevation_study.c - positions of windows and walls in elevations, and the
+ * vertical sky component over walls, compared with an independent integral. */
 #include "studies/site/elevation_study.h"
 
 #include "model/room/room_light.h"
@@ -7,7 +7,7 @@
 
 enum { ROOMS_MOST = 4 };
 
-/* A building's rooms, now or as existing. */
+/* Rooms of a building, as proposed or as existing. */
 struct read_site {
     struct pp_building *building;
     struct pp_study_room rooms[ROOMS_MOST];
@@ -42,7 +42,7 @@ static void clear_site(struct read_site *site)
     pp_building_destroy(site->building);
 }
 
-/* A sheet, and the sites that its names are in. */
+/* A sheet, and the sites that own its names. */
 struct made_sheet {
     struct pp_elevation_sheet sheet;
     struct read_site now, then;
@@ -72,8 +72,9 @@ static void clear_made(struct made_sheet *made)
         clear_site(&made->then);
 }
 
-/* The vertical sky component before an endless parallel edge at that altitude, by a sum over
- * the sky: (9 / 7 pi) L/Lz cos(incidence) over the directions above the edge. */
+/* Vertical sky component in front of an infinitely long parallel edge at this altitude,
+ * by a sum over the sky: (9 / 7 pi) L/Lz cos(incidence) over the directions above the
+ * edge. */
 static double component_above(double edge_rad)
 {
     enum { N = 600 };
@@ -90,9 +91,9 @@ static double component_above(double edge_rad)
     return sum * 9.0 / (7.0 * PP_PI);
 }
 
-/* A house of 12 m at 14 m, endless: on the wall the component of 27 % is where the house
- * rises by the altitude that leaves 27 %, and so at a level height; below it there is
- * less. */
+/* An infinitely long house 12 m high, 14 m away: the component is 27 % at the height
+ * from which the house has the altitude that leaves 27 %; below this height it is
+ * lower. */
 static void contours_lie_where_the_house_opposite_leaves_their_component(void **state)
 {
     (void)state;
@@ -157,8 +158,8 @@ static const struct pp_site_window *window_of(const struct pp_elevation_sheet *s
     return NULL;
 }
 
-/* Left is as seen from outside; a room turned by -90 degrees looks west with its own south
- * wall; the storey is counted where windows are above each other. */
+/* Left is as seen from outside. A room rotated by -90 degrees faces west with its own
+ * south wall. Storeys are counted where windows are above each other. */
 static void windows_stand_where_their_rooms_do(void **state)
 {
     (void)state;
@@ -182,9 +183,10 @@ static void windows_stand_where_their_rooms_do(void **state)
     clear_made(&made);
 }
 
-/* In the south elevation u is x. The facade reaches the ground, z = 0, and 1.2 m beyond the
- * wall on the left; the drawing includes it. The balcony is as wide as the window and
- * 0.4 m on either side; its slab is 2.8 m above the floor of the room. */
+/* In the south elevation u is x. The façade extends to the ground, z = 0, and 1.2 m
+ * beyond the wall on the left, and is included in the drawing. The balcony is as wide
+ * as the window plus 0.4 m on each side; its slab is 2.8 m above the floor of the
+ * room. */
 static void facades_and_balconies_are_in_the_elevation(void **state)
 {
     (void)state;
@@ -219,8 +221,8 @@ static void facades_and_balconies_are_in_the_elevation(void **state)
     clear_made(&made);
 }
 
-/* Left of a door is as of a window, from outside; a dado is inside, and an inner wall's
- * door is in no elevation. */
+/* `left` of a door is measured from outside, as for a window. A dado is inside, and the
+ * door of an inner wall is in no elevation. */
 static void doors_of_outer_walls_stand_where_they_are(void **state)
 {
     (void)state;
@@ -245,8 +247,8 @@ static void doors_of_outer_walls_stand_where_they_are(void **state)
     clear_made(&made);
 }
 
-/* By the way they look, clockwise from north: with +y to the east, -x is north and -y
- * west. */
+/* In the order of the directions that they face, clockwise from north: with +y to the
+ * east, -x is north and -y west. */
 static void elevations_go_round_from_north(void **state)
 {
     (void)state;
@@ -263,8 +265,9 @@ static void elevations_go_round_from_north(void **state)
     clear_made(&made);
 }
 
-/* Two houses of 4 m across a court that both face south: their walls overlap in elevation,
- * so each has an elevation of its own. The north walls have no windows and are on none. */
+/* Two houses with a court of 4 m between them that both face south: their walls overlap
+ * in elevation, so each has its own elevation. The north walls have no windows and no
+ * elevation. */
 static void a_house_in_front_does_not_cover_the_windows_behind_it(void **state)
 {
     (void)state;
@@ -291,7 +294,8 @@ static void a_house_in_front_does_not_cover_the_windows_behind_it(void **state)
     clear_made(&made);
 }
 
-/* Changes of obstructions: the shed goes, the tower comes, the mill stays. */
+/* Changes of obstructions: the shed is demolished, the tower is proposed, the mill is
+ * unchanged. */
 static void what_goes_and_what_comes_is_told_apart(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_garden_sun.c - the sun on gardens, by the shadow of a long wall and by following the
- * sun minute by minute. */
+/* test_garden_sun.c - the sun on gardens, compared with the shadow of a long wall and
+ * with points followed minute by minute. */
 #include "studies/site/garden_sun.h"
 
 #include "model/light/sun_path.h"
@@ -15,13 +15,13 @@
 #define GARDEN                                                                         \
     "<garden name='Lawn'><vertex x='100' y='100'/><vertex x='120' y='100'/>"           \
     "<vertex x='120' y='120'/><vertex x='100' y='120'/></garden>"
-/* Runs along the garden's south side for 3 km. */
+/* Extends along the south side of the garden for 3 km. */
 #define HIGH_WALL "<block x='-1400' y='99' width='3000' depth='1' height='12'/>"
 #define WALL "<block x='-1400' y='99' width='3000' depth='1' height='8'/>"
 
-/* At the equinox the sun moves in a plane: its altitude in the section square to an
- * east-west wall is 90 degrees less the latitude all day, so that the shadow's edge stands
- * still. On 21 March the declination of 0.2 degrees is all that moves it. */
+/* At the equinox the sun moves in a plane: its altitude in the section perpendicular to
+ * an east-west wall is 90 degrees less the latitude all day, so the edge of the shadow
+ * does not move. On 21 March the declination of 0.2 degrees moves it slightly. */
 static void behind_an_east_west_wall_the_equinox_shadow_stands_still(void **state)
 {
     (void)state;
@@ -37,7 +37,7 @@ static void behind_an_east_west_wall_the_equinox_shadow_stands_still(void **stat
     pp_world_destroy(world);
 }
 
-/* Is the sun hidden from a point on the ground by a box with its sides along x and y? */
+/* True if a box with sides along x and y hides the sun from a point on the ground. */
 static bool is_hidden(const double at[2], struct pp_vec3 to_sun, const double low[3],
                       const double high[3])
 {
@@ -51,7 +51,7 @@ static bool is_hidden(const double at[2], struct pp_vec3 to_sun, const double lo
     return near < far;
 }
 
-/* Every half metre of a garden beside a tower: hours by the minute. */
+/* Points every half metre in a garden beside a tower: hours counted by the minute. */
 static void the_share_is_that_of_points_followed_minute_by_minute(void **state)
 {
     (void)state;
@@ -94,7 +94,7 @@ static struct pp_finding judged(const char *xml, const char *before_xml)
     return finding;
 }
 
-/* Half of the area is wanted, or 0.8 of what was sunlit before. */
+/* Half of the area must be sunlit, or 0.8 of the area that was sunlit before. */
 static void a_garden_keeps_half_its_sun_or_most_of_what_it_had(void **state)
 {
     (void)state;
@@ -112,7 +112,7 @@ static void a_garden_keeps_half_its_sun_or_most_of_what_it_had(void **state)
         PP_NOT_JUDGED);
 }
 
-/* A building's garden is one room's, in that room's axes. */
+/* A garden of a building belongs to one room, in that room's axes. */
 static void a_building_s_garden_is_that_of_one_of_its_rooms(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_mesh_shapes.c - what of a mesh a plan shows: roofs and their edges, in place and area,
- * whatever triangles they are made of and which way round these run. */
+/* test_mesh_shapes.c - outlines of meshes in plans: roofs and their edges have the
+ * correct position and area, for any triangles and orientation. */
 #include "studies/site/mesh_shapes.h"
 
 #include <stdio.h>
@@ -7,7 +7,7 @@
 
 #include "tests/lib/room_of.h"
 
-/* Triangles as surfaces of a room file; every third runs the other way round. */
+/* Triangles as surfaces of a room file; every third has the opposite orientation. */
 struct mesh_text {
     char text[1 << 18];
     int triangles;
@@ -33,7 +33,7 @@ static void add_triangle(struct mesh_text *mesh, struct pp_vec3 a, struct pp_vec
     strcpy(end, "</surface>");
 }
 
-/* A parallelogram from o, cut into cells of two triangles. */
+/* A parallelogram from o, divided into cells of two triangles. */
 static void add_sheet(struct mesh_text *mesh, struct pp_vec3 o, struct pp_vec3 u,
                       struct pp_vec3 v, int cells)
 {
@@ -60,8 +60,8 @@ static void make(struct pp_site_sheet *sheet, struct mesh_text *mesh)
     pp_world_destroy(world);
 }
 
-/* Sums over all shapes: their area from above, rings counted by their sense, and the
- * length of edges that are lines. */
+/* Sums over all shapes: their area from above, with the sign of each outline, and the
+ * length of the edges drawn as lines. */
 static double area_of(const struct pp_site_sheet *sheet, double *lines)
 {
     double area = 0.0;
@@ -85,8 +85,9 @@ static double area_of(const struct pp_site_sheet *sheet, double *lines)
 
 static struct mesh_text mesh;
 
-/* A house of 9 x 7 m without a floor, its faces in 2 x 36 triangles each: one roof of four
- * corners, at 6.5 m; no line of its walls, as they are below the roof's edges. */
+/* A house of 9 x 7 m without a floor, each face with 2 x 36 triangles: one roof with
+ * four corners, at 6.5 m. Walls have no lines, since they are below the edges of the
+ * roof. */
 static void a_box_of_triangles_is_a_roof_of_four_corners(void **state)
 {
     (void)state;
@@ -111,8 +112,8 @@ static void a_box_of_triangles_is_a_roof_of_four_corners(void **state)
     pp_site_sheet_clear(&sheet);
 }
 
-/* Two slopes of 30 degrees meet at a ridge, which both have; of 9 degrees, which bend by 18,
- * they are one. */
+/* Two slopes of 30 degrees meet in a ridge, which belongs to both. Slopes of 9 degrees,
+ * with a bend of 18, are one roof. */
 static void a_ridge_is_drawn_where_the_roof_bends_enough(void **state)
 {
     (void)state;
@@ -132,8 +133,8 @@ static void a_ridge_is_drawn_where_the_roof_bends_enough(void **state)
     }
 }
 
-/* A dune that rises by 7 m in 24 cells and bends little anywhere: parts of two metres' rise
- * at most, which lines bound outside only. */
+/* A dune that rises by 7 m in 24 cells with small bends: parts with a rise of at most
+ * two metres, with lines only along the outline. */
 static void a_hill_has_an_outline_and_no_lines_in_it(void **state)
 {
     (void)state;
@@ -160,7 +161,7 @@ static void a_hill_has_an_outline_and_no_lines_in_it(void **state)
     pp_site_sheet_clear(&sheet);
 }
 
-/* A roof round a court has two rings; a screen beside it is a line from above. */
+/* A roof around a court has two outlines; a vertical screen is a line from above. */
 static void a_court_is_a_ring_and_a_screen_a_line(void **state)
 {
     (void)state;
@@ -191,7 +192,7 @@ static void a_court_is_a_ring_and_a_screen_a_line(void **state)
     pp_site_sheet_clear(&sheet);
 }
 
-/* Where a sheet folds over itself the fold is a line, and there are two parts. */
+/* Where a surface folds over itself, the fold is a line between two parts. */
 static void a_fold_over_itself_is_a_line(void **state)
 {
     (void)state;

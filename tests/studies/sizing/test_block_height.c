@@ -1,4 +1,4 @@
-/* test_block_height.c - how high a block may be. */
+/* test_block_height.c - the maximum height of a block. */
 #include "studies/sizing/block_height.h"
 
 #include <math.h>
@@ -12,7 +12,7 @@
     "<room name='Study' x='0' y='0' z='1.3'><plan width='4.2' depth='5.3' "            \
     "height='2.7'/><window name='W1' wall='south' left='0.9' sill='0.8' width='2.4' "  \
     "height='1.5'/></room>"
-/* Endless to the eye: the sky over it depends on its altitude alone. */
+/* Practically infinite: the sky above it depends only on its altitude. */
 #define TERRACE(state, height)                                                         \
     "<block name='Terrace' " state " x='-4000' y='-24' width='8000' depth='7' "        \
     "height='" height "'/>"
@@ -48,11 +48,13 @@ static struct pp_block_height height_in(struct pp_building *building, double kee
                      (struct pp_retained_sky_rule){.keep = keep, .enough = INFINITY});
 }
 
-/* Vertical sky component before an endless obstruction of altitude a:
+/* Vertical sky component in front of an infinitely long obstruction of altitude a:
  *
- *     3/(7 pi) int int (1 + 2 sin g) cos^2 g cos z dg dz,  tan g_low = tan a cos z
+ *    3/(7 pi) int int (1 + 2 sin g) cos^2 g cos z dg dz,  tan g_low = tan a cos z
  *
- * over azimuths z before the wall and altitudes g above the edge, by Simpson's rule. */
+ * over azimuths z in front of the wall and altitudes g above the edge, by Simpson's
+ * rule.
+ */
 static double component_over(double a)
 {
     enum { N = 400 };
@@ -73,7 +75,8 @@ static double component_over(double a)
     return 3.0 / (7.0 * PP_PI) * sum * PP_PI / N / 3.0;
 }
 
-/* The window's middle is 1.3 + 0.8 + 0.75 m up, the front 17 m away. */
+/* The middle of the window is 1.3 + 0.8 + 0.75 m up, the front of the block 17 m
+ * away. */
 static void an_endless_terrace_may_rise_to_the_altitude_that_leaves_0_8(void **state)
 {
     (void)state;
@@ -92,7 +95,8 @@ static void an_endless_terrace_may_rise_to_the_altitude_that_leaves_0_8(void **s
     pp_building_destroy(building);
 }
 
-/* Rays over the cosine, against every polygon: another route to the same sky. */
+/* Rays with a cosine density tested against every polygon: an independent
+ * calculation. */
 static void traced_sky_at_that_height_agrees(void **state)
 {
     (void)state;
@@ -134,8 +138,8 @@ static void traced_sky_at_that_height_agrees(void **state)
     pp_building_destroy(building);
 }
 
-/* Existing obstructions take their part: less is left to keep, so that the block that
- * replaces them may be higher than on the empty plot. */
+/* Existing obstructions reduce the previous value: less must be retained, so the block
+ * that replaces them may be higher than on an empty plot. */
 static void before_is_the_site_as_existing(void **state)
 {
     (void)state;
@@ -167,14 +171,16 @@ static void behind_the_house_it_may_be_any_height(void **state)
     pp_building_destroy(building);
 }
 
-/* From a point on the plane behind the window, the sky over an endless terrace begins
- * where the lines over head and edge do, at any azimuth: at the depth d,
+/* From a point on the plane behind the window, the sky above an infinitely long terrace
+ * begins where the head of the window and the edge of the terrace are in line, at any
+ * azimuth: at the depth d,
  *
- *     (head - plane) / d = (edge - plane) / (d + 17 m)
+ *    (head - plane) / d = (edge - plane) / (d + 17 m)
  *
- * which is 0.8 of the room's 5.3 m where the plane, 0.85 m over the floor at 1.3 m, has
- * an edge 1.45 m (1 + 17 m / d) above it. The line is known to a millimetre, and by
- * 1.4 mm a millimetre. */
+ * At 0.8 of the room's 5.3 m, with the plane 0.85 m above the floor at 1.3 m, the edge
+ * is 1.45 m (1 + 17 m / d) above the plane. The line is accurate to a millimetre, which
+ * is 1.4 mm of height.
+ */
 static void the_no_sky_line_moves_as_similar_triangles_tell(void **state)
 {
     (void)state;
@@ -195,7 +201,7 @@ static void the_no_sky_line_moves_as_similar_triangles_tell(void **state)
     pp_building_destroy(building);
 }
 
-/* 27 % is less than 0.8 of what an open horizon gives, 31.7 %; where that is enough, the
+/* 27 % is less than 0.8 of the unobstructed value, 31.7 %; if 27 % is sufficient, the
  * terrace may be higher. */
 static void a_window_with_enough_is_due_no_more(void **state)
 {
@@ -211,7 +217,7 @@ static void a_window_with_enough_is_due_no_more(void **state)
     pp_building_destroy(building);
 }
 
-/* Another one has taken more already. */
+/* Another block already hides more than allowed. */
 static void where_a_neighbour_takes_it_no_height_will_do(void **state)
 {
     (void)state;

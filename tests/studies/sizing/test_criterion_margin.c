@@ -1,4 +1,5 @@
-/* test_criterion_margin.c - how much a room has of what a criterion asks for. */
+/* test_criterion_margin.c - margin of a room relative to the requirements of a
+ * criterion. */
 #include "studies/sizing/criterion_margin.h"
 #include "studies/sizing/size_room.h"
 
@@ -52,7 +53,8 @@ static double margin_for(const char *words, char why[200])
     return reading.value;
 }
 
-/* The target is glass of 8 %, openings of 12.5 % of the floor: openings are fewer first. */
+/* The target is glass of 8 % or openings of 12.5 % of the floor; the openings are the
+ * lower share. */
 static void a_third_of_the_window_wanted_is_a_third(void **state)
 {
     (void)state;
@@ -67,9 +69,9 @@ static void a_third_of_the_window_wanted_is_a_third(void **state)
     tear_down();
 }
 
-/* d/w + d/h shall be 2 / (1 - R) at most, where R is the mean reflectance of the room's back
- * half: of floor and ceiling, 0.2 and 0.7, each 4.1 m by 2.85 m, and of walls of 0.5, 2.9 m
- * high. */
+/* d/w + d/h must be at most 2 / (1 - R), where R is the mean reflectance of the rear
+ * half of the room: floor and ceiling, 0.2 and 0.7, each 4.1 m by 2.85 m, and walls of
+ * 0.5, 2.9 m high. */
 static void of_an_upper_bound_it_is_the_bound_over_the_figure(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* The gain by each change to a room is that of a room file with the change written into
- * it. */
+/* test_gains.c - the gain by each change to a room equals that of a room file with this
+ * change. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,8 +18,8 @@ static const char office[] =
     "<skyline wall='south' angle='23'/></room>";
 
 static const struct {
-    const char *change;   /* in what the gain says */
-    const char *was, *is; /* in the file */
+    const char *change;   /* text in the sentence of the gain */
+    const char *was, *is; /* text in the file */
 } cases[] = {
     {"ceiling with a reflectance of 0.85", "ceiling='0.65'", "ceiling='0.85'"},
     {"walls with a reflectance of 0.7", "walls='0.45'", "walls='0.7'"},
@@ -116,7 +116,7 @@ static void each_gain_is_that_of_the_changed_file(void **state)
         snprintf(file, sizeof file, "%.*s%s%s", (int)(at - office), office, cases[i].is,
                  at + strlen(cases[i].was));
         struct pp_gain_values values = values_of(file, "exact+bre");
-        /* Lengths are the file's to a rounding of the millimetre's grid. */
+        /* Lengths are those of the file, rounded to a millimetre. */
         assert_relative(gain->values.average, values.average, 1e-6);
         assert_relative(gain->values.darkest, values.darkest, 1e-6);
         assert_true(gain->of_design
@@ -138,7 +138,8 @@ static void the_largest_gain_comes_first(void **state)
     char sentence[256];
     pp_gains_sentence(&gains, sentence, sizeof sentence);
     assert_true(strncmp(sentence, "Main causes: ", 13) == 0);
-    /* The chance of light from another side is no lack; the first lack is named. */
+    /* A possible window in another wall is not a deficiency; the first deficiency is
+     * named. */
     const char *first = gains.list[0].lacks ? gains.list[0].lacks : gains.list[1].lacks;
     assert_true(strncmp(sentence + 13, first, strlen(first)) == 0);
 }
@@ -177,7 +178,7 @@ static void what_is_as_good_as_can_be_is_no_gain(void **state)
     assert_string_equal(sentence, "");
 }
 
-/* Cleaning raises the average by as much as the dirt has taken. */
+/* Cleaning increases the average by as much as the dirt has reduced it. */
 static void a_gain_of_a_hundredth_is_told_and_one_of_a_thousandth_is_not(void **state)
 {
     (void)state;
@@ -221,8 +222,8 @@ static void a_room_without_openings_has_nothing_to_gain(void **state)
     assert_int_equal(gains.count, 0);
 }
 
-/* A black wall 1 m before the window hides all but a slit of sky. The formulae give what a
- * grey one of 0.2 reflects; the simulation gives nothing for it. */
+/* A black wall 1 m in front of the window leaves only a strip of sky. The formulae
+ * assume that the wall reflects 0.2; in the simulation it reflects nothing. */
 static void simulated_gains_start_from_the_simulated_average(void **state)
 {
     (void)state;

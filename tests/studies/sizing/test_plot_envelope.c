@@ -47,8 +47,9 @@ static struct pp_plot_envelope envelope_in(struct pp_building *building, double 
     return found;
 }
 
-/* One cell deep and endless, the plot's envelope is a block of one height, and its plane
- * meets the block's front edge, 17 m before the window's middle at 2.85 m. */
+/* For an infinitely long plot that is one cell deep, the envelope is a block of one
+ * height; its plane meets the front edge of the block, 17 m in front of the middle of
+ * the window at 2.85 m. */
 static void over_an_endless_strip_it_is_as_high_as_a_block_may_be(void **state)
 {
     (void)state;
@@ -73,8 +74,8 @@ static void over_an_endless_strip_it_is_as_high_as_a_block_may_be(void **state)
     pp_building_destroy(same);
 }
 
-/* Middles of W1 and W2 at z = 2.85 m and 5.85 m; rows of cells of 1 m begin 9.5 m before
- * their wall. */
+/* The middles of W1 and W2 are at z = 2.85 m and 5.85 m; rows of cells of 1 m begin 9.5
+ * m in front of their wall. */
 static void every_cell_ends_below_the_lowest_plane(void **state)
 {
     (void)state;
@@ -95,8 +96,8 @@ static void every_cell_ends_below_the_lowest_plane(void **state)
     pp_building_destroy(building);
 }
 
-/* Share that the window sees with the cells so high as they are found, times `by`, over
- * its value before. */
+/* Ratio of the window's value to its previous value, with the heights found for the
+ * cells times `by`. */
 static double share_with(struct pp_building *building, struct pp_plot_envelope *found,
                          int window, double by)
 {
@@ -132,8 +133,8 @@ static void one_window_has_just_its_due_and_none_has_less(void **state)
     pp_building_destroy(building);
 }
 
-/* Rays over the cosine from the middle of W1, against every polygon: another route to the
- * same sky. */
+/* Rays with a cosine density from the middle of W1, tested against every polygon: an
+ * independent calculation. */
 static void traced_sky_over_the_cells_agrees(void **state)
 {
     (void)state;
@@ -170,7 +171,7 @@ static void traced_sky_over_the_cells_agrees(void **state)
     pp_building_destroy(building);
 }
 
-/* An L of 8 m by 8 m less 4 m by 4 m, turned by 30 degrees: 48 cells of 1 m2. */
+/* An L-shape of 8 m by 8 m less 4 m by 4 m, rotated by 30 degrees: 48 cells of 1 m2. */
 static void cells_fill_an_l_that_is_turned(void **state)
 {
     (void)state;

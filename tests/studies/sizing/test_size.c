@@ -1,5 +1,5 @@
-/* The window that reaches a target: the sizes that are possible, and the search among
- * them, by values that are known on paper and by daylight factors. */
+/* test_size.c - the window that reaches a target: possible sizes, and the search among
+ * them, with made-up values and with daylight factors. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,7 +11,7 @@
 #include "model/room/room_light.h"
 #include "tests/lib/near.h"
 
-/* ---- Rooms ---- */
+/* ---- rooms ---- */
 
 #define ROOM(windows)                                                                  \
     "<room version='1'><plan width='4.1' depth='5.3' height='2.7'/>"                   \
@@ -40,9 +40,9 @@ static struct pp_opening_place place(const struct pp_room *room, int index)
     return pp_room_opening_at(room, index).place;
 }
 
-/* ---- Values on paper ---- */
+/* ---- made-up values ---- */
 
-/* The area of all openings (m2) over 100 m2. */
+/* Area of all openings (m2) divided by 100 m2. */
 static enum pp_status area(void *data, const struct pp_world *world,
                            struct pp_reading *reading, struct pp_error *err)
 {
@@ -54,7 +54,7 @@ static enum pp_status area(void *data, const struct pp_world *world,
     return PP_OK;
 }
 
-/* The width of the first opening (m) in whole thirds of a metre, over 100 m. */
+/* Width of the first opening (m), rounded to thirds of a metre, divided by 100 m. */
 static enum pp_status thirds(void *data, const struct pp_world *world,
                              struct pp_reading *reading, struct pp_error *err)
 {
@@ -64,7 +64,8 @@ static enum pp_status thirds(void *data, const struct pp_world *world,
     return PP_OK;
 }
 
-/* A value that grows with the first opening's width up to 2.2 m and falls behind. */
+/* A value that increases with the first opening's width up to 2.2 m and then
+ * decreases. */
 static enum pp_status tent(void *data, const struct pp_world *world,
                            struct pp_reading *reading, struct pp_error *err)
 {
@@ -82,7 +83,8 @@ static enum pp_status constant(void *data, const struct pp_world *world,
     return PP_OK;
 }
 
-/* The first opening's width over 100 m with noise of 1 % and that standard error. */
+/* The first opening's width divided by 100 m, with noise of 1 % and this standard
+ * error. */
 static enum pp_status sampled(void *data, const struct pp_world *world,
                               struct pp_reading *reading, struct pp_error *err)
 {
@@ -123,7 +125,7 @@ static void a_width_is_the_area_wanted_over_the_height(void **state)
         ROOM("<window wall='south' left='1.3' sill='0.9' width='1.3' height='1.2'/>"));
     struct pp_size_answer answer = find(building, PP_CHANGE_WIDTH, 1, 0.019, area);
     assert_int_equal(answer.verdict, PP_SIZE_REACHED);
-    /* 1.9 / 1.2 = 1.58333: the next millimetre, about the middle at 1.95. */
+    /* 1.9 / 1.2 = 1.58333, rounded up to a millimetre, about the middle at 1.95. */
     assert_near(place(answer.room, 0).width_m, 1.584, 1e-9);
     assert_near(place(answer.room, 0).left_m, 1.158, 1e-9);
     assert_true(place(answer.room, 0).sill_m == 0.9);
@@ -168,8 +170,8 @@ static void windows_grow_in_proportion_until_they_meet(void **state)
     pp_size_answer_clear(&answer);
     answer = find(building, PP_CHANGE_WIDTH, 2, 0.05, area);
     struct pp_opening_place a = place(answer.room, 0), b = place(answer.room, 1);
-    /* Twice as wide both, the sides 1 m apart have met, two thirds of the way of the
-     * wider; and then each goes on to its end of the wall. */
+    /* If both were twice as wide, their sides 1 m apart would meet at two thirds of the
+     * way from the wider one; then each extends to its end of the wall. */
     assert_near(a.left_m, 0.0, 1e-9);
     assert_near(a.left_m + a.width_m, 1.5 + 2.0 / 3.0, 0.003);
     assert_near(b.left_m, a.left_m + a.width_m, 0.003);
@@ -295,7 +297,7 @@ static void a_value_that_falls_again_is_reached_on_its_way_up(void **state)
     answer = find(building, PP_CHANGE_WIDTH, 1, 0.03, tent);
     assert_int_equal(answer.verdict, PP_SIZE_OUT_OF_REACH);
     assert_false(answer.is_largest);
-    /* An eighth of the range off at most. */
+    /* At most an eighth of the range away. */
     assert_near(answer.reading.value, 0.022, 0.003);
     pp_size_answer_clear(&answer);
     pp_building_destroy(building);
@@ -328,7 +330,7 @@ static void a_sampled_value_is_within_half_a_standard_error_after_few_looks(
             find(building, PP_CHANGE_WIDTH, 1, target, sampled);
         assert_int_equal(answer.verdict, PP_SIZE_REACHED);
         double width_m = place(answer.room, 0).width_m;
-        /* Half an error, and what chance has added: one at most. */
+        /* Half a standard error, and at most one more by chance. */
         assert_near(width_m / 100.0, target, 1.6 * 0.01 * target);
         assert_in_range(answer.evaluations, 1, 25);
         pp_size_answer_clear(&answer);
@@ -336,7 +338,7 @@ static void a_sampled_value_is_within_half_a_standard_error_after_few_looks(
     pp_building_destroy(building);
 }
 
-/* ---- Numbers ---- */
+/* ---- numbers of windows ---- */
 
 static void windows_stand_in_the_middle_of_their_shares_of_the_wall(void **state)
 {
@@ -358,7 +360,8 @@ static void windows_stand_in_the_middle_of_their_shares_of_the_wall(void **state
     pp_size_answer_clear(&answer);
     answer = find(building, PP_CHANGE_NUMBER, 1, 0.001, area);
     assert_int_equal(answer.verdict, PP_SIZE_REACHED);
-    assert_true(place(answer.room, 0).left_m == 0.4); /* it is one already */
+    assert_true(place(answer.room, 0).left_m
+                == 0.4); /* its position is already the middle */
     pp_size_answer_clear(&answer);
     pp_building_destroy(building);
 }
@@ -402,7 +405,7 @@ static void windows_that_are_not_alike_have_no_number(void **state)
     pp_building_destroy(building);
 }
 
-/* ---- Steps ---- */
+/* ---- steps ---- */
 
 static double low_edge(struct pp_opening_place p, enum pp_size_change change)
 {
@@ -414,8 +417,8 @@ static double high_edge(struct pp_opening_place p, enum pp_size_change change)
     return change == PP_CHANGE_WIDTH ? p.left_m + p.width_m : p.sill_m + p.height_m;
 }
 
-/* At every step the room is free of mistakes, and each window lies within that of the
- * next step. */
+/* Asserts that the room has no mistakes at any step, and that each window is inside
+ * that of the next step. */
 static void check_steps(const char *xml, enum pp_size_change change, int count)
 {
     static const int openings[] = {0, 1, 2, 3};
@@ -487,7 +490,7 @@ static void each_size_can_be_and_lies_within_the_next(void **state)
     }
 }
 
-/* ---- Daylight factors ---- */
+/* ---- daylight factors ---- */
 
 static struct pp_outside_light light_of(struct pp_building *building)
 {
@@ -502,7 +505,7 @@ static enum pp_status by_method(void *data, const struct pp_world *world,
     return pp_room_value(data, world, reading, err);
 }
 
-/* A method's daylight factor of a room, by another way than pp_room_value's. */
+/* Daylight factor of a room by a method, without pp_room_value. */
 static double told(const struct pp_room *room, const char *method,
                    const struct pp_receiver *point)
 {

@@ -1,4 +1,5 @@
-/* The year's daylight of a room against what is known on paper, and by other routes. */
+/* test_annual.c - the year's daylight of a room compared with values calculated by hand
+ * and independently. */
 #include "simulate/scene/light_scene_of_world.h"
 #include "tests/lib/light_on.h"
 #include "tests/lib/made_year.h"
@@ -26,8 +27,8 @@ static const char street[] =
 
 /* ---- one sky ---- */
 
-/* a and c of 0 make every direction as bright: the daylight factor of a uniform sky, which
- * the tracer has, times the illuminance outside. */
+/* With a and c of 0 the sky is uniform: the result is the daylight factor under the
+ * uniform sky by the tracer, times the outdoor illuminance. */
 static void under_a_uniform_sky_it_is_the_daylight_factor(void **state)
 {
     (void)state;
@@ -69,7 +70,7 @@ static void under_a_uniform_sky_it_is_the_daylight_factor(void **state)
     pp_world_destroy(world);
 }
 
-/* ---- the plain way ---- */
+/* ---- compared with the plain implementation ---- */
 
 static void patches_and_cells_agree_with_the_plain_year(void **state)
 {
@@ -103,8 +104,8 @@ static void patches_and_cells_agree_with_the_plain_year(void **state)
 
 /* ---- the error of patches ---- */
 
-/* A sky of one luminance is the same in patches; a clear one is not, and 145 patches lose
- * more of it than 2305. The error of all lies within its standard errors. */
+/* Patches represent a uniform sky exactly, but not a clear one; 145 patches have a
+ * larger error than 2305. All results agree within their standard errors. */
 static void patches_err_under_uneven_skies_alone(void **state)
 {
     (void)state;
@@ -144,8 +145,8 @@ static void patches_err_under_uneven_skies_alone(void **state)
 
 /* ---- symmetries ---- */
 
-/* The same office: its window in the south wall; or in the wall named east of a plan whose
- * y axis points east, so that this wall faces south, too. */
+/* The same office with its window in the south wall, and with its window in the wall
+ * named east of a plan whose y axis points east, so that this wall also faces south. */
 static void a_turned_plan_has_the_same_year(void **state)
 {
     (void)state;
@@ -184,8 +185,8 @@ static void a_turned_plan_has_the_same_year(void **state)
     pp_world_destroy(b);
 }
 
-/* Windows in opposite walls are two groups. In the middle between them each gives half of
- * the light of a sky that is the same all round; together they give all of it. */
+/* Windows in opposite walls are two groups. Midway between them each gives half of the
+ * light of a sky without azimuth dependence; together they give all of it. */
 static void opposite_windows_give_half_of_the_light_each(void **state)
 {
     (void)state;
@@ -224,7 +225,7 @@ static void sum_pieces(void *data, const struct pp_sky_piece *piece)
     sums[piece->ground] += piece->coefficient;
 }
 
-/* Without glass the pieces are the whole configuration factor: that of a rectangle at a
+/* Without glass the pieces add up to the configuration factor: that of a rectangle at a
  * point on the normal through its lower corner, facing up, and the same below the
  * horizon at a point facing the window. */
 static void pieces_of_sky_are_the_whole_of_it(void **state)
@@ -257,7 +258,7 @@ static void pieces_of_sky_are_the_whole_of_it(void **state)
     pp_world_destroy(world);
 }
 
-/* The view of polygons and the ray tracer answer the same question. */
+/* The view by polygons and the ray tracer give the same result. */
 static void the_sun_is_seen_where_a_ray_reaches_it(void **state)
 {
     (void)state;
@@ -289,7 +290,7 @@ static void the_sun_is_seen_where_a_ray_reaches_it(void **state)
 
 /* ---- counts ---- */
 
-/* A night shift has no daylight: autonomy is 0, all hours below 100 lx. */
+/* A night shift has no daylight: autonomy is 0, and all hours are below 100 lx. */
 static void dark_hours_count(void **state)
 {
     (void)state;
@@ -333,7 +334,7 @@ static void it_is_the_same_with_any_number_of_threads(void **state)
     pp_world_destroy(world);
 }
 
-/* At 16 batches of 4700 hours a row has 300 kB. */
+/* With 16 batches of 4700 hours a row has 300 kB. */
 static void a_block_of_points_has_at_most_64_rows(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_annual_blinds.c - the year of a room with blinds, screens and curtains of its own.
- */
+/* test_annual_blinds.c - the year of a room with blinds, screens and curtains in its
+ * file. */
 #include <stdlib.h>
 
 #include "studies/year/annual.h"
@@ -38,8 +38,8 @@ static void same_light(const float *a, const float *b, size_t count)
         assert_true(a[i] == b[i]);
 }
 
-/* Open windows are those of the room without its blind, and windows closed at all hours
- * are those of the room as it is drawn, to the bit. */
+/* Open windows give the results of the room without its blind; windows closed at all
+ * hours give those of the room as in the file, identical to the bit. */
 static void a_blind_is_the_closed_state_of_its_window(void **state)
 {
     (void)state;
@@ -71,8 +71,8 @@ static void a_blind_is_the_closed_state_of_its_window(void **state)
     pp_annual_sheet_clear(&always);
 }
 
-/* Slats fixed at an angle and scheduled at that angle have given different daylight in
- * another program (EnergyPlus, issues 2898 and 2788). */
+/* In another program slats fixed at an angle and slats scheduled at that angle gave
+ * different daylight (EnergyPlus, issues 2898 and 2788). */
 static void a_scheduled_blind_gives_the_light_of_a_fixed_one(void **state)
 {
     (void)state;
@@ -104,7 +104,7 @@ static void a_scheduled_blind_gives_the_light_of_a_fixed_one(void **state)
     pp_annual_sheet_clear(&part);
 }
 
-/* The room as it is drawn has a closed blind in the south and bare glass in the north. */
+/* In the file the room has a closed blind in the south and bare glass in the north. */
 static void windows_close_one_by_one(void **state)
 {
     (void)state;
@@ -126,9 +126,9 @@ static void windows_close_one_by_one(void **state)
     pp_annual_sheet_clear(&always);
 }
 
-/* Sun of 100 klx at an altitude of 30 degrees through glass of 0.70 is 35,000 lx on a
- * horizontal plane. A screen of openness 0.05 leaves 1,750 lx, which does not meet
- * LM-83's limit of 1,000 lx; 0.02 leaves 700 lx. The limit is at 1,000/35,000, 2.86 %. */
+/* Sun of 100 klx at an altitude of 30 degrees through glass of 0.70 gives 35,000 lx on
+ * a horizontal plane. A screen with an openness of 0.05 leaves 1,750 lx, which exceeds
+ * LM-83's limit of 1,000 lx; 0.02 leaves 700 lx. The limit is 1,000/35,000, 2.86 %. */
 static void lm83_is_met_by_the_straight_light_of_a_screen(void **state)
 {
     (void)state;
@@ -157,7 +157,8 @@ static void lm83_is_met_by_the_straight_light_of_a_screen(void **state)
         float most = 0.0f;
         for (int x = 0; x < 3; x++)
             most = fmaxf(most, sheet.sun_lx[x]);
-        assert_near(most, 35000.0, 700.0); /* 35,000 at an angle of glass of 0.7 */
+        assert_near(most, 35000.0,
+                    700.0); /* 35,000 lx, with a transmittance of 0.7 at this angle */
         assert_near(sheet.groups[0].closed_h, 1.0, 1e-9);
         assert_near(sheet.groups[0].unmet_h, cases[i].unmet_h, 1e-9);
         assert_true(sheet.blinds_of_lm83);

@@ -1,4 +1,4 @@
-/* test_cut_off.c - slats that follow the sun, in a year and hour by hour. */
+/* test_cut_off.c - slats that follow the sun, during a year and hour by hour. */
 #include <stdlib.h>
 
 #include "model/light/slats/blind_follow.h"
@@ -40,9 +40,9 @@ static struct pp_world *world_of(struct pp_outside_light *light, const char *bli
     return world;
 }
 
-/* With w = s the cut-off is at an angle of 2 p - 90 degrees, and p is the altitude of a sun
- * square to the window. Slats stay at 0 degrees for a sun behind the window, and without
- * sun. Vertical slats turn away from it. */
+/* If w = s the cut-off is at an angle of 2 p - 90 degrees, where p is the altitude of a
+ * sun perpendicular to the window. Slats remain at 0 degrees without sun, or if the sun
+ * is behind the window. Vertical slats turn away from the sun. */
 static void slats_turn_for_the_sun_in_front_of_their_window(void **state)
 {
     (void)state;
@@ -97,8 +97,8 @@ static void hour_of(float lx[POINTS], const char *blind, const struct pp_perez_s
     pp_world_destroy(world);
 }
 
-/* In a year, light of the sky is interpolated between angles of 5 degrees, and light of the
- * sun between profile angles of 2.5 degrees. A blind at a fixed angle interpolates, too,
+/* In a year, skylight is interpolated between slat angles 5 degrees apart, and sunlight
+ * between profile angles 2.5 degrees apart. A blind at a fixed angle also interpolates
  * where its slats begin to cut off the sun, and has 1 % less light there. */
 static void a_year_has_the_light_of_slats_turned_hour_by_hour(void **state)
 {
@@ -141,8 +141,8 @@ static void a_year_has_the_light_of_slats_turned_hour_by_hour(void **state)
     }
 }
 
-/* The slats written out as surfaces, at one angle. They go on beyond the window, as light
- * must not pass beside their ends: it would be a twentieth of the light. */
+/* Slats as surfaces, at one angle. They extend beyond the window, so that no light
+ * passes beside their ends, which would be a twentieth of the light. */
 static void write_slats(char *text, double tilt_rad)
 {
     double a = 0.015 * cos(tilt_rad), b = -0.015 * sin(tilt_rad);
@@ -158,8 +158,8 @@ static void write_slats(char *text, double tilt_rad)
     }
 }
 
-/* The light of the slats at the points, by the plain year, which tests the sun at every
- * point that a path meets, and its standard errors. */
+/* Light at the points with slats as surfaces, and its standard errors, by the plain
+ * year, which tests the sun at every point of a path. */
 static void hour_of_slats(float lx[POINTS], double error[POINTS],
                           const struct pp_test_year *made, int samples)
 {

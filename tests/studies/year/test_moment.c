@@ -1,4 +1,4 @@
-/* One moment's sky and sun against what is known on paper. */
+/* test_moment.c - sky and sun of one moment compared with known values. */
 #include "tests/lib/near.h"
 #include "tests/lib/room_of.h"
 
@@ -32,8 +32,8 @@ static double bearing_deg(const struct pp_moment *moment)
     return bearing < 0.0 ? bearing + 360.0 : bearing;
 }
 
-/* The worked case of NREL's solar position algorithm: 17 October 2003 at Golden,
- * Colorado; 39.87205 degrees without refraction, 194.34024 from north. */
+/* Example of NREL's solar position algorithm: 17 October 2003 at Golden, Colorado;
+ * 39.87205 degrees without refraction, 194.34024 from north. */
 static void sun_of_a_time_is_that_of_the_almanac(void **state)
 {
     (void)state;
@@ -88,8 +88,9 @@ static void time_without_a_place_has_no_sun(void **state)
     refuses(&of, "no position of the sun");
 }
 
-/* Behind an opening without glass a level point in the sun has the direct normal
- * illuminance times the sine of its altitude; one in shade has none. The parts add up. */
+/* Behind an unglazed opening a horizontal point in the sun receives the direct normal
+ * illuminance times the sine of the sun's altitude; a point in shade receives none. The
+ * parts add up. */
 static void sunlight_on_a_level_point_is_by_the_sine(void **state)
 {
     (void)state;
@@ -188,7 +189,7 @@ static void pictures_have_the_same_light_of_ground_and_block(void **state)
                           "depth='4' height='4' reflectance='0.4'/>");
 }
 
-/* The sun shines on the pane, which sends half of it on in all directions. */
+/* The sun shines on the pane, which scatters half of its light in all directions. */
 static void pictures_have_the_sun_that_a_diffusing_pane_scatters(void **state)
 {
     (void)state;
@@ -202,7 +203,8 @@ static void pictures_have_the_sun_that_a_blind_scatters(void **state)
     compare_with_pictures(WINDOW "glazing='none'><blind angle='-45'/></window>");
 }
 
-/* Open ground, and a level roof of it: rho times sky and sun. */
+/* Open ground, and a horizontal roof with the same reflectance: rho times sky and
+ * sun. */
 static void sunlit_ground_gives_back_its_share(void **state)
 {
     (void)state;
@@ -214,7 +216,8 @@ static void sunlit_ground_gives_back_its_share(void **state)
                 1e-12);
     assert_near(pp_outside_light_sun_on_plane(&light, pp_vec(0.0, -1.0, 0.0)), 0.0,
                 0.0);
-    /* A wall that faces the sun: half of the sky, the sun, half of the ground. */
+    /* A wall that faces the sun receives half of the sky, the sun, and half of the
+     * ground. */
     assert_near(pp_outside_light_exitance(&light, 0.5, pp_vec(0.0, 1.0, 0.0)),
                 0.5 * (0.5 + 1.5 + 0.3), 1e-9);
 }

@@ -1,12 +1,14 @@
-/* The plan of a moment against sunlight by hand, and against the points of df. */
+/* test_moment_plan_study.c - the plan of a moment compared with sunlight calculated by
+ * hand, and with points of df. */
 #include "tests/lib/near.h"
 #include "tests/lib/room_of.h"
 
 #include "model/room/position.h"
 #include "studies/year/moment_plan_study.h"
 
-/* A window 2 m wide from 1.05 to 2.25 m, working plane at 0.85 m, sun due south at
- * 45 degrees: light on a rectangle of 2 m x 1.2 m that begins 0.2 m from the wall. */
+/* A window 2 m wide from 1.05 to 2.25 m, working plane at 0.85 m, sun due south at 45
+ * degrees: the sunlit area is a rectangle of 2 m x 1.2 m that begins 0.2 m from the
+ * wall. */
 static const char by_hand[] =
     "<room version='1'><plan width='4' depth='5' height='3'/>"
     "<window wall='south' left='1' sill='1.05' width='2' height='1.2' glazing='none'/>"
@@ -62,7 +64,7 @@ static void sunlit_area_is_the_window_projected_along_the_sun(void **state)
     struct pp_study_room room;
     struct pp_moment moment = moment_of(45.0, 180.0);
     make(&plan, &room, &moment);
-    /* Each of four edges is known to half a part, 16 mm. */
+    /* Each of four edges is accurate to half a cell, 16 mm. */
     assert_near(plan.sun_share, 2.0 * 1.2 / 20.0, 0.016 * (2.0 + 1.2) / 20.0);
     double level = moment.sky.direct_lx * sqrt(0.5);
     assert_near(plan.sun_lx, level * plan.sun_share, 1e-4 * level);
@@ -75,8 +77,9 @@ static void sunlit_area_is_the_window_projected_along_the_sun(void **state)
     clear(&plan, &room);
 }
 
-/* From the south-west, 45 degrees off the window's normal: a parallelogram, moved east by
- * as much as it is moved north, and 1/sqrt 2 as deep at the same altitude. */
+/* With the sun from the south-west, 45 degrees from the window's normal, the area is a
+ * parallelogram. It is shifted east by as much as north, and 1/sqrt 2 as deep for the
+ * same altitude. */
 static void sun_from_the_side_shears_the_area(void **state)
 {
     (void)state;
@@ -94,7 +97,7 @@ static void sun_from_the_side_shears_the_area(void **state)
     clear(&plan, &room);
 }
 
-/* Counts the looks, and stops at one of them. */
+/* Counts the calls of the callback, and stops at one of them. */
 struct stop_watch {
     int looks, last;
 };
@@ -141,8 +144,8 @@ static void a_plan_stops_in_every_part_of_its_computation(void **state)
     pp_world_destroy(world);
 }
 
-/* The plan's light without sun, at a point between cells, agrees with that point's own
- * simulation; a sun below the window's head in the north lights nothing. */
+/* The plan's light without sun, at a point between cells, agrees with a simulation of
+ * this point; a sun in the north below the head of the window lights nothing. */
 static void plan_agrees_with_points(void **state)
 {
     (void)state;
@@ -164,8 +167,8 @@ static void plan_agrees_with_points(void **state)
     clear(&plan, &room);
 }
 
-/* Corners of 27 and 63 degrees: the nearest cell centre is a cell away. A shelf 0.3 m
- * from the wall: the strip behind it has no cell centre beside the open one at its end. */
+/* Corners of 27 and 63 degrees: the nearest cell centre is one cell away. A shelf 0.3 m
+ * from the wall: behind it, only the cell at its open end has a centre. */
 static void corners_and_gaps_have_values(void **state)
 {
     (void)state;

@@ -1,13 +1,14 @@
-/* Sky and sun of the hours of a weather file, and where its own radiation puts the sun. */
+/* test_weather_year.c - sky and sun of the hours of a weather file, and the sun's
+ * position within each record, from its radiation. */
 #include "tests/lib/made_epw.h"
 #include "tests/lib/near.h"
 
 #include "model/light/sun.h"
 #include "studies/year/weather_year.h"
 
-/* A weather file of clear days at Brussels whose global irradiance has the sun at
- * the middle of the hour plus shift_h; in summer, April to September, plus summer_h
- * more. */
+/* A weather file of clear days at Brussels. The sun of its global irradiance is that of
+ * the middle of the hour plus shift_h; from April to September plus summer_h as
+ * well. */
 struct made_sky {
     double shift_h, summer_h;
     bool swapped, leap;
@@ -97,8 +98,8 @@ static void the_shift_found_is_used_unless_another_is_chosen(void **state)
     assert_near(none.sun_shift_h, 0.0, 0.0);
     assert_non_null(pp_weather_year_warning(text, sizeof text, &own));
     assert_non_null(strstr(text, "30 minutes later"));
-    /* 21 March, 15:00 to 16:00, hour angle 43.7 degrees between the two: the altitude falls
-     * by cos(latitude) sin(azimuth) times 7.5 degrees in half an hour. */
+    /* 21 March, 15:00 to 16:00, hour angle 43.7 degrees between the two: the altitude
+     * decreases by cos(latitude) sin(azimuth) times 7.5 degrees in half an hour. */
     struct pp_perez_sky a, b;
     struct pp_month_day equinox = {3, 21};
     assert_int_equal(pp_weather_year_moment(&a, &own, equinox, 15.5, NULL), PP_OK);
@@ -132,7 +133,7 @@ static void every_record_has_its_place(void **state)
     pp_epw_destroy(epw);
 }
 
-/* A room whose y axis points east (bearing 90) has a sun in the east along its y axis. */
+/* In a room whose y axis points east (bearing 90), a sun in the east is along y. */
 static void skies_turn_with_the_room(void **state)
 {
     (void)state;
@@ -144,7 +145,7 @@ static void skies_turn_with_the_room(void **state)
     assert_near(pp_weather_year_turned(&sky, PP_PI / 2.0).sun.x, -0.8, 1e-12);
 }
 
-/* A dark year at a place, except for one record of an hour. */
+/* A year without light, except for one record of an hour. */
 struct one_hour {
     struct pp_epw epw;
     struct pp_epw_record records[8760];
@@ -180,8 +181,8 @@ static struct pp_weather_year lit_hour(struct one_hour *made, double latitude_de
 }
 
 /* At Oslo on 31 January the sun is 0.57 degrees high at 16:15 and sets at 16:21, before
- * the middle of the record from 16 to 17 h. That record's direct light falls in its sunlit
- * part; the sun is about 1.1 degrees high in the middle of it. */
+ * the middle of the record from 16 to 17 h. The direct light of this record is assigned
+ * to its sunlit part, in the middle of which the sun is about 1.1 degrees high. */
 static void the_hour_of_sunset_has_the_sun_of_its_sunlit_part(void **state)
 {
     (void)state;
@@ -209,7 +210,8 @@ static void the_hour_of_sunset_has_the_sun_of_its_sunlit_part(void **state)
     pp_weather_year_clear(&year);
 }
 
-/* As in a weather file of New Delhi: the ratio in the clearness is infinite. */
+/* As in a weather file of New Delhi: the ratio in the formula for clearness is
+ * infinite. */
 static void direct_light_alone_is_counted_and_dated(void **state)
 {
     (void)state;

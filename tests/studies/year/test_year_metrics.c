@@ -1,11 +1,11 @@
-/* Figures of a point from its illuminances. */
+/* test_year_metrics.c - annual figures of a point from its illuminances. */
 #include "tests/lib/near.h"
 #include "tests/lib/room_of.h"
 
 #include "studies/year/blind_groups.h"
 #include "studies/year/year_metrics.h"
 
-/* Eight lit hours of twelve occupied ones. */
+/* Eight lit hours of twelve occupied hours. */
 static double occupied[] = {1, 1, 1, 1, 1, 1, 1, 1};
 static double lengths[] = {1, 1, 1, 1, 1, 1, 1, 1};
 static bool daylight[] = {true, true, true, true, true, true, false, false};
@@ -44,7 +44,8 @@ static void limits_belong_to_the_bins_that_they_should(void **state)
     assert_true(isnan(f.blinds_autonomy.value));
 }
 
-/* Relative useful exposure, as DIN 5034 has it: the sum of min(E, target) over target. */
+/* Relative useful exposure by DIN 5034: the sum of min(E, target) divided by the
+ * target. */
 static void continuous_autonomy_gives_part_of_an_hour(void **state)
 {
     (void)state;
@@ -52,14 +53,14 @@ static void continuous_autonomy_gives_part_of_an_hour(void **state)
     assert_near(figures_of().continuous[0].value, sum / 12.0, 1e-9);
 }
 
-/* Of the six daylight hours the third in rank: 3001, 3000, 300. */
+/* The third of six daylight hours: 3001, 3000, 300. */
 static void the_median_is_of_daylight_hours(void **state)
 {
     (void)state;
     assert_near(figures_of().median_lx.value, 300.0, 0.0);
 }
 
-/* For a mean the jackknife is the standard error of the mean, s / sqrt(n). */
+/* For a mean, the jackknife gives the standard error of the mean, s / sqrt(n). */
 static void the_jackknife_is_that_of_a_mean(void **state)
 {
     (void)state;
@@ -86,8 +87,9 @@ static void blinds_close_for_more_than_two_per_cent(void **state)
     assert_true(pp_blind_groups_closes(1, 24));
 }
 
-/* Windows in one wall: bare, bare, screens of two opennesses, a blind. The closed blind
- * of LM-83 is added to each: transmittances for even light are the products. */
+/* Windows in one wall: two bare ones, screens with two values of openness, a blind. The
+ * closed blind of LM-83 is added to each: transmittances for uniform light are
+ * multiplied. */
 static void windows_with_their_own_devices_close_apart(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
 /* test_en17037_hours.c - method 2 of EN 17037 with points whose illuminances are known,
- * and the level that findings reach. */
+ * and the level that is met. */
 #include "studies/criteria/criteria.h"
 #include "studies/criteria/en17037/en17037_level.h"
 #include "tests/lib/room_of.h"
@@ -33,8 +33,8 @@ static struct pp_finding_list judged_hours(double lowest_lx, bool rooflight)
     return findings;
 }
 
-/* The median is half way between the 10th and the 11th: 385 lx. 95 % of 20 points are
- * 19, of which the least has 130 lx. */
+/* The median is midway between the 10th and the 11th point: 385 lx. 95 % of 20 points
+ * are 19, the lowest of which has 130 lx. */
 static void half_of_the_points_reach_the_median_of_their_illuminances(void **state)
 {
     (void)state;
@@ -55,7 +55,7 @@ static void half_of_the_points_reach_the_median_of_their_illuminances(void **sta
     pp_finding_list_clear(&findings);
 }
 
-/* Under rooflights 300 lx are required over 95 %. */
+/* With rooflights 300 lx are required over 95 % of the plane. */
 static void rooflights_need_the_target_nearly_everywhere(void **state)
 {
     (void)state;
@@ -69,7 +69,8 @@ static void rooflights_need_the_target_nearly_everywhere(void **state)
     pp_finding_list_clear(&findings);
 }
 
-/* An undecided finding leaves its level open, and those above that are met. */
+/* An undecided finding makes its level undecided, and the levels above it that would be
+ * met. */
 static void undecided_levels_are_perhaps_reached(void **state)
 {
     (void)state;
@@ -98,7 +99,7 @@ static void levels_of_several_views_are_joined(void **state)
     assert_int_equal(pp_en17037_level_of(&findings).reached, PP_EN17037_MINIMUM);
 }
 
-/* A view may be named like a level. */
+/* A view may have the name of a level. */
 static void the_name_of_a_view_determines_no_level(void **state)
 {
     (void)state;

@@ -1,8 +1,8 @@
-/* test_view_out_criterion.c - levels of the view out in rooms whose answer is known. */
+/* test_view_out_criterion.c - levels of the view out in rooms with known results. */
 #include "studies/criteria/criteria.h"
 #include "tests/lib/room_of.h"
 
-/* The index-th finding in a room given by the XML in its element. */
+/* Finding number `index` for a room given by the content of its element. */
 static struct pp_finding found(int index, const char *body)
 {
     char text[2048];
@@ -29,8 +29,8 @@ static void assert_verdict(struct pp_finding finding, double figure,
     "<plan width=\"4\" depth=\"6\" height=\"3\"/>"                                     \
     "<window wall=\"south\" left=\"1\" sill=\"0.8\" width=\"2\" height=\"1.5\"/>"
 
-/* The angle of a window 2 m wide from each of 60 points, by its definition: all have 14
- * degrees, and in the open landscape and sky at a great distance. */
+/* Angle of a window 2 m wide from each of 60 points, by definition: all have at least
+ * 14 degrees; in the open, landscape and sky are far away. */
 static void points_with_28_degrees_have_the_medium_view_in_the_open(void **state)
 {
     (void)state;
@@ -46,12 +46,12 @@ static void points_with_28_degrees_have_the_medium_view_in_the_open(void **state
     struct pp_finding finding = found(4, VIEW_ROOM);
     assert_verdict(finding, medium / 60.0, PP_NOT_MET);
     assert_true(finding.is_optional);
-    /* A line over the sill falls by 5 degrees or more, onto ground, from 0.4 m/tan 5 degrees
-     * = 4.6 m or less: 48 of the 60 points have three layers. */
+    /* A line over the sill falls by at least 5 degrees, onto the ground, from points up
+     * to 0.4 m/tan 5 degrees = 4.6 m away: 48 of the 60 points see three layers. */
     assert_near(found(2, VIEW_ROOM).figure, 3.0, 0.0);
 }
 
-/* Nearer than 6 m there is no view, however wide the window. */
+/* With an obstruction nearer than 6 m there is no view, for any width of the window. */
 static void a_wall_5_m_away_leaves_no_view(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_rules.c - the rules of tables/rules.csv, in rooms whose figures are known on
- * paper. */
+/* test_rules.c - the rules of tables/rules.csv, in rooms with figures calculated by
+ * hand. */
 #include <stdlib.h>
 
 #include "studies/criteria/factors.h"
@@ -15,8 +15,8 @@
     "\" width=\"2.6\" height=\"1.3\" maintenance=\"1\"/>"
 #define SITE "<site latitude=\"51.5\" longitude=\"0\"/>"
 
-/* Findings on a room by the rules of a name, with hand figures on a coarse grid. The
- * caller clears them. */
+/* Findings for a room by the rules with this name, with hand figures on a coarse grid.
+ * The caller clears them. */
 static struct pp_finding_list found_by_rules(const char *name, const char *use,
                                              const char *body)
 {
@@ -85,8 +85,8 @@ static void glass_below_0_8_m_does_not_count_in_norway(void **state)
     pp_finding_list_clear(&findings);
 }
 
-/* One of two alternatives is enough. The darkest of the two points at half depth decides
- * in Sweden; without points that alternative is not judged. */
+/* One of two alternatives is enough. In Sweden the darker of two points at half depth
+ * decides; without these points that alternative is not assessed. */
 static void one_alternative_is_enough(void **state)
 {
     (void)state;
@@ -98,7 +98,8 @@ static void one_alternative_is_enough(void **state)
     assert_int_equal(findings.list[1].verdict, PP_MET);
     assert_int_equal(findings.list[2].verdict, PP_MET);
     pp_finding_list_clear(&findings);
-    /* Denmark's corrections are unknown: more glass than needed proves nothing. */
+    /* Denmark's corrections are unknown, so more glass than required does not prove
+     * compliance. */
     findings = found_by_rules("dk-br18", "office", PLAN WINDOW(0.95));
     assert_int_equal(findings.list[0].verdict, PP_UNDECIDED);
     assert_int_equal(findings.list[findings.count - 1].verdict, PP_UNDECIDED);
@@ -123,8 +124,8 @@ static void an_open_window_has_a_vertical_daylight_factor_of_49_6(void **state)
     pp_finding_list_clear(&findings);
 }
 
-/* A wall hides the whole sky before a window: the rest of the vertical daylight factor
- * is reflected, and that figure is too high between buildings. */
+/* A wall hides the whole sky in front of a window: the rest of the vertical daylight
+ * factor is reflected light, whose figure is too high between buildings. */
 static void reflected_light_alone_does_not_meet_a_vertical_factor(void **state)
 {
     (void)state;
@@ -152,8 +153,8 @@ static void a_room_without_windows_does_not_meet_a_rule(void **state)
     }
 }
 
-/* Below a level overhang there may be more floor, so 13.1 % of glass decides nothing; a
- * fin adds no floor. Neither is an obstruction. */
+/* Below a horizontal overhang there may be more floor, so 13.1 % of glass is undecided;
+ * a fin adds no floor. Neither is an obstruction. */
 static void shades_of_windows_are_no_obstructions_in_norway(void **state)
 {
     (void)state;
@@ -174,8 +175,8 @@ static void shades_of_windows_are_no_obstructions_in_norway(void **state)
     }
 }
 
-/* Hours of sun are one of several conditions in Slovakia: enough of them prove
- * nothing. */
+/* Hours of sun are one of several conditions in Slovakia, so enough hours do not prove
+ * compliance. */
 static void enough_sun_alone_does_not_meet_the_slovak_rule(void **state)
 {
     (void)state;
@@ -198,7 +199,8 @@ static void a_kitchen_has_one_required_mean_and_a_bedroom_none(void **state)
     for (int i = 0; i < 3; i++) {
         struct pp_finding_list findings =
             found_by_rules("breeam-4a", uses[i], PLAN WINDOW(0.95));
-        assert_int_equal(findings.count, 4); /* and two alternatives, and their sum */
+        assert_int_equal(findings.count,
+                         4); /* including two alternatives and their combination */
         assert_near(findings.list[0].wanted, wanted[i], 1e-12);
         pp_finding_list_clear(&findings);
     }
@@ -209,7 +211,7 @@ static void a_kitchen_has_one_required_mean_and_a_bedroom_none(void **state)
     pp_finding_list_clear(&findings);
 }
 
-/* The finding of a rule of hours of sun in a room. */
+/* Finding of a rule on hours of sun in a room. */
 static struct pp_finding sun_finding(const struct pp_rule *rule, const char *body)
 {
     struct pp_outside_light light;
@@ -236,9 +238,9 @@ static const struct pp_rule equinox = {.point = "centre",
                                        .plan_angle_deg = NAN,
                                        .breaks = NAN};
 
-/* At equinox the sun is above the horizon from 6 to 18 h. At 51.5 degrees its azimuth
- * is 65 degrees from south at the hour angle H with tan H = sin 51.5 tan 65: 59.2
- * degrees, so it is at 25 degrees or more to the glass for 7.89 h. */
+/* At the equinox the sun is above the horizon from 6 to 18 h. At 51.5 degrees its
+ * azimuth is 65 degrees from south at the hour angle H with tan H = sin 51.5 tan 65:
+ * 59.2 degrees. The sun is therefore at 25 degrees or more to the glass for 7.89 h. */
 static void grazing_sun_can_be_left_out(void **state)
 {
     (void)state;
@@ -246,15 +248,15 @@ static void grazing_sun_can_be_left_out(void **state)
     assert_near(sun_finding(&rule, SITE PLAN WINDOW(0.95)).figure, 12.0, 0.02);
     rule.plan_angle_deg = 25.0;
     assert_near(sun_finding(&rule, SITE PLAN WINDOW(0.95)).figure, 7.89, 0.02);
-    rule.from_h = 9.0; /* and the afternoon ends at 15:57 */
+    rule.from_h = 9.0; /* the afternoon ends at 15:57 */
     rule.to_h = 17.0;
     assert_near(sun_finding(&rule, SITE PLAN WINDOW(0.95)).figure, 3.0 + 7.89 / 2.0,
                 0.02);
     assert_int_equal(sun_finding(&rule, PLAN WINDOW(0.95)).verdict, PP_NOT_JUDGED);
 }
 
-/* A high screen across the view due south, from 20 degrees east to 20 degrees west of
- * the middle, divides the day into two intervals. */
+/* A high screen due south, from 20 degrees east to 20 degrees west of the middle,
+ * divides the day into two intervals. */
 static void without_breaks_the_longest_interval_counts(void **state)
 {
     (void)state;
@@ -270,8 +272,8 @@ static void without_breaks_the_longest_interval_counts(void **state)
     assert_true(both > 8.0 && both < 10.0);
 }
 
-/* The day of least sun of a period decides: in a south window the sun of December is
- * above the horizon for less time than that of March. */
+/* The day of the period with the least sun decides: in a south window the December sun
+ * is above the horizon for less time than the March sun. */
 static void the_worst_day_of_a_period_decides(void **state)
 {
     (void)state;
@@ -283,8 +285,8 @@ static void the_worst_day_of_a_period_decides(void **state)
     assert_non_null(strstr(finding.note, "December"));
 }
 
-/* Four quarters of 500 h, two points. Means 350, 300, 75 and 0 lx; least values 300,
- * 250, 50 and 0 lx. */
+/* Four quarters of 500 h, two points. Means 350, 300, 75 and 0 lx; minima 300, 250, 50
+ * and 0 lx. */
 static void hours_with_an_illuminance_are_counted_by_mean_and_least(void **state)
 {
     (void)state;
@@ -324,7 +326,7 @@ static int compare_falling_factors(const void *a, const void *b)
     return (x < y) - (x > y);
 }
 
-/* A share of 33 % of n points is reached by the ceil(0.33 n)-th of them. */
+/* A share of 33 % of n points is reached by the ceil(0.33 n)-th brightest point. */
 static void a_share_of_the_plane_is_that_of_its_brightest_points(void **state)
 {
     (void)state;
@@ -358,8 +360,8 @@ static void a_share_of_the_plane_is_that_of_its_brightest_points(void **state)
     pp_world_destroy(world);
 }
 
-/* Rows of one name share sky, plane, scheme and edition; each quantity is known; texts
- * fit; what is recalled is not judged. */
+/* Rows with one name have the same sky, plane, scheme and edition; each quantity is
+ * known; texts fit; rules quoted from memory have no verdict. */
 static void the_table_of_rules_is_consistent(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* Hours of sun as criteria judge them, in rooms whose answer is known on paper. */
+/* test_sunlight.c - hours of sun as used by criteria, in rooms with results calculated
+ * by hand. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,11 +23,12 @@ static struct pp_world *world_of(const char *body)
     return pp_test_world(text);
 }
 
-/* Of the inquiries below. */
+/* Settings of the inquiries below. */
 static bool with_sunshine = true;
 static double least_altitude_rad = 1e-9;
 
-/* The index-th finding of one criterion in a room given by the XML in its element. */
+/* Finding number `index` of one criterion for a room given by the content of its
+ * element. */
 static struct pp_finding finding_in(const struct pp_criterion *criterion, int index,
                                     const char *body, const char *before_body)
 {
@@ -35,7 +37,7 @@ static struct pp_finding finding_in(const struct pp_criterion *criterion, int in
     int *pairs = NULL;
     if (before)
         assert_int_equal(pp_pair_rooms(&pairs, world, before, NULL), PP_OK);
-    /* Sunshine in every hour, so that probable hours are the possible ones, and the sun
+    /* Sunshine in every hour, so that probable hours are possible hours, and the sun
      * counts down to the horizon. */
     struct pp_sunshine always = {.known = true};
     for (int i = 0; i < PP_SUNSHINE_MONTHS * PP_SUNSHINE_HOURS; i++)
@@ -86,9 +88,9 @@ static double half_day(double cosine)
     return acos(fmax(-1.0, fmin(1.0, cosine)));
 }
 
-/* The textbook's half days: the sun is up while cos h > -tan phi tan delta, and before an
- * open wall that faces due south while cos h > tan delta / tan phi. The year and the
- * winter, of the year's hours. */
+/* Half days by the textbook: the sun is above the horizon while cos h > -tan phi tan
+ * delta, and in front of an unobstructed south wall while cos h > tan delta / tan phi.
+ * Returns the shares of the year and of winter. */
 static void south_shares(double latitude_deg, double shares[2])
 {
     static const int days[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
@@ -116,15 +118,15 @@ static void an_open_south_wall_has_the_textbooks_hours(void **state)
                    PP_MET);
     assert_verdict(sun(1, SITE(51.5) PLAN WINDOW("south"), NULL), shares[1], 1e-9,
                    PP_MET);
-    /* Neither the sky nor the glass matters. */
+    /* The sky and the glass do not matter. */
     assert_verdict(
         sun(0, SITE(51.5) "<sky type=\"uniform\"/>" PLAN WINDOW("south"), NULL),
         shares[0], 1e-9, PP_MET);
 }
 
-/* The plane over it rises as steeply as the sun's path at the equinox: all winter the sun
- * stays below, but for 21 September and 21 March, whose declinations are +0.6 and +0.4
- * degrees: 24 of 4406 hours at most. */
+/* The plane over the skyline is as steep as the sun's path at the equinox. The winter
+ * sun is below it, except on 21 September and 21 March, with declinations of +0.6 and
+ * +0.4 degrees: at most 24 of 4406 hours. */
 static void a_skyline_of_the_equinox_leaves_hardly_any_winter_sun(void **state)
 {
     (void)state;
@@ -133,8 +135,8 @@ static void a_skyline_of_the_equinox_leaves_hardly_any_winter_sun(void **state)
     assert_true(sun(0, body, NULL).figure > 0.05);
 }
 
-/* [BR209]: less than 25 or 5 % is no loss if 0.8 of what there was is left of both, or no
- * more than 4 % of the year's hours are gone. */
+/* [BR209]: a value below 25 or 5 % is not a loss if 0.8 of the previous hours of year
+ * and winter are left, or if the loss is at most 4 % of the year's hours. */
 static void what_is_kept_or_hardly_lost_is_no_failure(void **state)
 {
     (void)state;
@@ -157,7 +159,8 @@ static void only_windows_towards_the_noon_sun_are_asked(void **state)
     assert_not_judged(sun(0, SITE(51.5) PLAN WINDOW("north"), NULL), "due south");
     assert_not_judged(sun(0, SITE(-33.9) PLAN WINDOW("south"), NULL), "due north");
     assert_true(sun(0, SITE(-33.9) PLAN WINDOW("north"), NULL).verdict == PP_MET);
-    /* Within 90 degrees: due east and due west as well, which halve the day. */
+    /* Within 90 degrees of south, including due east and due west, which have half of
+     * the day. */
     assert_verdict(sun(0, SITE(51.5) PLAN WINDOW("east"), NULL), 0.5, 1e-9, PP_MET);
     assert_verdict(sun(0, SITE(51.5) PLAN WINDOW("west"), NULL), 0.5, 1e-9, PP_MET);
 }
@@ -172,8 +175,8 @@ static void without_a_latitude_there_is_no_sun(void **state)
     assert_not_judged(sun(0, SITE(51.5) PLAN, NULL), "no openings");
 }
 
-/* At the pole the sun stands half of the summer's time before any wall; beyond the circle
- * winter has days without sun. */
+/* At the pole the sun is in front of any wall for half of the summer; beyond the polar
+ * circle winter has days without sun. */
 static void poles_and_the_equator_have_their_hours(void **state)
 {
     (void)state;
@@ -186,9 +189,10 @@ static void poles_and_the_equator_have_their_hours(void **state)
     assert_true(shares[1] < 0.25);
 }
 
-/* 0.5 m beside the point and 0.7 m before it, the jambs let in the sun while its azimuth
- * from south has a tangent of 0.5 / 0.7 at most: by bisection of the hour angle. Head and
- * sill do not hide it: the sun's path rises by 38.5 degrees, the head by 54. */
+/* The jambs are 0.5 m to the sides of the point and 0.7 m in front of it: they admit
+ * the sun while the tangent of its azimuth from south is at most 0.5 / 0.7, found by
+ * bisection of the hour angle. Head and sill do not hide it: the sun's path rises by
+ * 38.5 degrees, the head by 54. */
 static void on_the_equinox_jambs_cut_the_sun(void **state)
 {
     (void)state;
@@ -205,17 +209,16 @@ static void on_the_equinox_jambs_cut_the_sun(void **state)
     double hours = low * 24.0 / PP_PI;
     const char *body = SITE(51.5) PLAN WINDOW("south");
     assert_near(hours, 3.9, 0.1);
-    /* The declination is not that of noon before and after it, by 0.03 degrees. No more
-     * than 4 h. */
+    /* Before and after noon the declination differs by 0.03 degrees. At most 4 h. */
     const struct pp_criterion *criterion = &pp_criterion_sun_exposure;
     assert_verdict(finding_in(criterion, 2, body, NULL), hours, 1e-4, PP_NOT_MET);
     assert_verdict(finding_in(criterion, 0, body, NULL), hours, 1e-4, PP_MET);
 }
 
-/* At the equinox the sun over the equator rises by 15 degrees an hour, due east: from 20
- * degrees to noon it takes 70/15 h. An overhang that hides it from 35 degrees on (1 m over
- * the point, 1.43 m deep) leaves 1 h above 20 degrees and 2 h above 5 degrees: 1.5 h above
- * 12.5 degrees. */
+/* At the equinox the sun at the equator rises due east by 15 degrees an hour: from 20
+ * degrees to noon in 70/15 h. An overhang that hides the sun above 35 degrees (1 m
+ * above the point, 1.43 m deep) leaves 1 h above 20 degrees, 2 h above 5 degrees and
+ * 1.5 h above 12.5 degrees. */
 static void low_sun_decides_only_where_a_level_needs_it(void **state)
 {
     (void)state;
@@ -247,14 +250,15 @@ static void possible_hours_are_not_judged(void **state)
     assert_true(isnan(year.wanted) && year.figure > 0.5);
 }
 
-/* Hours through several windows count once where they are the same hours. */
+/* If the sun shines through several windows at the same time, the hours count once. */
 static void windows_add_up_only_what_is_not_the_same_sun(void **state)
 {
     (void)state;
     double south = exposure(SITE(51.5) PLAN WINDOW("south"));
     double east = exposure(SITE(51.5) PLAN WINDOW("east"));
     double west = exposure(SITE(51.5) PLAN WINDOW("west"));
-    assert_near(east, west, 0.05); /* the declination grows from morning to evening */
+    assert_near(east, west,
+                0.05); /* the declination increases from morning to evening */
     assert_true(east > 0.5);
     assert_near(exposure(SITE(51.5) PLAN WINDOW("east") WINDOW("west")), east + west,
                 1e-9);
@@ -264,8 +268,9 @@ static void windows_add_up_only_what_is_not_the_same_sun(void **state)
                 south, 1e-9);
 }
 
-/* In the morning the sun comes round to the south-east before it is over a wall there. The
- * skyline's end lies within 0.6 degrees of east, which the sun takes 0.05 hours to pass. */
+/* In the morning the sun reaches the south-east before it rises above a wall there. The
+ * end of the skyline is within 0.6 degrees of east, which the sun passes in 0.05
+ * hours. */
 static void a_skyline_with_a_distance_hides_the_sun_from_windows_of_other_walls(
     void **state)
 {

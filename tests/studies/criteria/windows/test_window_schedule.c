@@ -1,4 +1,5 @@
-/* The schedule of windows: what is lost, and how windows are named and ordered. */
+/* test_window_schedule.c - the schedule of windows: losses, and the names and order of
+ * windows. */
 #include "studies/criteria/windows/window_schedule.h"
 
 #include <math.h>
@@ -17,7 +18,7 @@ static void a_loss_is_what_the_ratio_leaves(void **state)
     assert_true(isnan(pp_schedule_loss(unknown)) && isnan(pp_schedule_loss(dark)));
 }
 
-/* One room with two windows of one sky each, and the sunlight of the first. */
+/* One room with two windows with the same sky, and the sunlight of the first. */
 static void each_window_has_one_line_with_all_its_figures(void **state)
 {
     (void)state;

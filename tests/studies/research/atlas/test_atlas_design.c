@@ -1,4 +1,4 @@
-/* test_atlas_design.c - the designed sweep of the atlas. */
+/* test_atlas_design.c - the rooms of the atlas. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,7 +19,7 @@ static int set_up(void **state)
     return 0;
 }
 
-/* The number behind the first `name` of a room's text. */
+/* The number after the first `name` in a room's text. */
 static double number_of(const char *xml, const char *name)
 {
     const char *at = strstr(xml, name);
@@ -43,8 +43,8 @@ static void a_room_depends_on_its_index_alone(void **state)
     assert_string_not_equal(one, other);
 }
 
-/* Read without a mistake, with all its points in it: a room whose face is not closed, or a
- * point in a wall, would be refused. */
+/* Every room is read without a mistake, with all points: a room that is not closed, or
+ * a point in a wall, would be rejected. */
 static void every_room_makes_sense(void **state)
 {
     (void)state;
@@ -60,9 +60,9 @@ static void every_room_makes_sense(void **state)
     }
 }
 
-/* The rooms of any 2^k that begin the sweep have the working plane at 0.85 m in 0.8 of
- * cases, to a room: they are a net in each coordinate. Rooms drawn by lot would be off by
- * 4 of 128. */
+/* 0.8 of the first 2^k rooms have the working plane at 0.85 m, exact to one room: each
+ * coordinate is a low-discrepancy net. With random numbers the deviation would be 4 of
+ * 128. */
 static void a_prefix_is_spread_evenly(void **state)
 {
     (void)state;
@@ -121,7 +121,7 @@ static void points_lie_on_the_plane_away_from_walls(void **state)
     }
 }
 
-/* One half is laid out as ordinary; the other half has some rooms that are. */
+/* One half is designed as ordinary rooms; the other half also contains some. */
 static void half_of_the_rooms_are_ordinary(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* test_atlas_mapping.c - maps of atlases whose errors are known. */
+/* test_atlas_mapping.c - maps of atlases with known errors. */
 #include "studies/research/atlas/atlas_mapping.h"
 
 #include <stdarg.h>
@@ -8,8 +8,8 @@
 
 #include "tests/lib/near.h"
 
-/* Writes an atlas of `rooms` rooms, room i with the points and figures that a function
- * prints, and reads it. */
+/* Writes an atlas of `rooms` rooms and reads it; the function prints points and figures
+ * of room i. */
 static void make_table(struct pp_atlas_table *table, int rooms,
                        void (*print)(FILE *file, int room))
 {
@@ -33,9 +33,10 @@ static void map_of(struct pp_atlas_map *map, const struct pp_atlas_table *table,
     assert_int_equal(pp_atlas_mapping_of(map, table, kind, method, NULL), PP_OK);
 }
 
-/* Room i of 100 has one point of ground 0.22 at which the method says 0.505 + 0.01 i times
- * the truth of 2 %, and the truth of its own world is twice that; rooms in an order that is
- * not that of the ratios. The average's figures are said 1.7 times too high. */
+/* Each of 100 rooms has one point with a ground of 0.22, for which the method gives
+ * 0.505 + 0.01 i times the true value of 2 %; the true value in the method's own world
+ * is twice that. The rooms are not in the order of the ratios. The figures for the
+ * average are 1.7 times too high. */
 static void print_rising(FILE *file, int room)
 {
     double said = 2.0 * (0.505 + 0.01 * (room * 37 % 100));
@@ -43,7 +44,8 @@ static void print_rising(FILE *file, int room)
     fprintf(file, "%d,-1,1.1,0.22,,3,0.03,2,1,,5.1,\n", room);
 }
 
-/* 100 ratios from 0.505 up by 0.01: the means of the 5th, 50th and 95th and the next. */
+/* 100 ratios from 0.505 in steps of 0.01: quantiles are the means of the 5th, 50th and
+ * 95th and the respective next ratio. */
 static void quantiles_are_those_of_ranked_ratios(void **state)
 {
     (void)state;
@@ -95,8 +97,9 @@ static void a_method_of_averages_is_held_against_averages(void **state)
     pp_atlas_table_clear(&table);
 }
 
-/* The method is right at eight points in each of 10 of 21 rooms, and twice the truth at
- * one point in each of 11: most points are right, most rooms are not. */
+/* The method is exact at eight points in each of 10 of 21 rooms, and gives twice the
+ * true value at one point in each of 11: most points are correct, most rooms are
+ * not. */
 static void print_uneven(FILE *file, int room)
 {
     for (int i = 0; i < (room < 10 ? 8 : 1); i++)
@@ -130,7 +133,7 @@ static void a_room_counts_once_however_many_points_it_has(void **state)
     pp_atlas_table_clear(&table);
 }
 
-/* Rooms 0 to 8 have a truth known to 1 %, the others to 11 %, and a dark one. */
+/* Rooms 0 to 8 have a true value known to 1 %, the others to 11 %; one room is dark. */
 static void print_blind(FILE *file, int room)
 {
     fprintf(file, "%d,0,1.1,0.22,1.2,%d,%g,1.5,0.5,2,,\n", room, room == 11 ? 0 : 2,

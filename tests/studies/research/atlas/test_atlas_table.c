@@ -1,4 +1,4 @@
-/* test_atlas_table.c - files of the atlas, whole, cut off and wrong. */
+/* test_atlas_table.c - files of the atlas: complete, truncated and wrong. */
 #include "studies/research/atlas/atlas_table.h"
 
 #include <stdio.h>
@@ -7,7 +7,7 @@
 
 #include "tests/lib/near.h"
 
-/* A file with that text; its name goes to path. */
+/* Writes a temporary file with this text; `path` receives its name. */
 static void write_text(char path[64], const char *text)
 {
     snprintf(path, 64, "test_atlas_table-%d.csv", (int)getpid());
@@ -47,7 +47,7 @@ static void numbers_stand_under_their_names_and_an_empty_one_is_none(void **stat
     pp_atlas_table_clear(&table);
 }
 
-/* However many bytes have been written, the rows are those of whole rooms. */
+/* For a file truncated at any byte, only rows of complete rooms are read. */
 static void a_room_that_is_still_being_written_is_left_out(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* test_room_features.c - features of a room whose numbers are worked out on paper. */
+/* test_room_features.c - features of a room compared with values calculated by hand. */
 #include "studies/research/atlas/room_features.h"
 
 #include "tests/lib/near.h"
@@ -39,14 +39,14 @@ static void a_side_lit_room_has_the_features_of_its_drawing(void **state)
     assert_near(f[PP_ROOM_OBSTRUCTION], 23.0, 1e-9);
     assert_near(f[PP_ROOM_THINGS], 0.0, 0.0);
     assert_near(f[PP_ROOM_GROUND], 0.15, 0.0);
-    /* The overcast sky on an upright plane: (3/14 + 4/(7 pi)), either way. */
+    /* Overcast sky on a vertical plane (3/14 + 4/(7 pi)), in both directions. */
     assert_near(f[PP_ROOM_FACING], 3.0 / 14.0 + 4.0 / (7.0 * PP_PI), 1e-12);
     assert_near(f[PP_ROOM_OPPOSITE], f[PP_ROOM_FACING], 1e-12);
     assert_true(isnan(f[PP_ROOM_DEPTH]) && isnan(f[PP_ROOM_VIEW]));
 }
 
-/* Walls of 0.45 with a floor of 0.25 and a ceiling of 0.75 are a usual room's; a ceiling of
- * 0.5 and a ground covered with snow are not. */
+/* A room with walls of 0.45, a floor of 0.25 and a ceiling of 0.75 is ordinary; one
+ * with a ceiling of 0.5, or with snow on the ground, is not. */
 static void a_room_is_ordinary_in_usual_ranges_alone(void **state)
 {
     (void)state;
@@ -65,8 +65,8 @@ static void a_room_is_ordinary_in_usual_ranges_alone(void **state)
     assert_near(f[PP_ROOM_ORDINARY], 0.0, 0.0);
 }
 
-/* A clear sky with the sun before the window: it lights the window more than what faces it,
- * and with the sun behind the room the other way round. */
+/* Clear sky with the sun in front of the window: the window receives more light than
+ * the obstruction that faces it. With the sun behind the room it receives less. */
 static void a_sun_before_the_window_is_behind_what_faces_it(void **state)
 {
     (void)state;
@@ -83,9 +83,9 @@ static void a_sun_before_the_window_is_behind_what_faces_it(void **state)
     assert_relative(behind[PP_ROOM_FACING], before[PP_ROOM_OPPOSITE], 1e-6);
 }
 
-/* Configuration factor of an upright rectangle for a level point before its lower corner,
- * wide w, high h, at the distance d: (atan(w/d) - d/s atan(w/s)) / 2 pi with s = sqrt(d^2 +
- * h^2). */
+/* Configuration factor of a vertical rectangle, w wide and h high, for a horizontal
+ * point in front of its lower corner at the distance d: (atan(w/d) - d/s atan(w/s)) / 2
+ * pi with s = sqrt(d^2 + h^2). */
 static double corner(double w, double h, double d)
 {
     double s = hypot(d, h);
@@ -102,14 +102,14 @@ static void a_point_has_its_depth_and_its_view_of_the_window(void **state)
     pp_room_features_at(f, &box.world, pp_vec(1.2, 3.3, 0.85));
     assert_relative(f[PP_ROOM_DEPTH], 3.3 / (2.4 - 0.85), 1e-12);
     assert_relative(f[PP_ROOM_SIDE], 1.2 / 2.9, 1e-12);
-    /* The window spans x from 0.6 to 2.5, z from 1.1 to 2.4. */
+    /* The window extends from x = 0.6 to 2.5 and z = 1.1 to 2.4. */
     double low = 1.1 - 0.85, high = 2.4 - 0.85;
     double view = corner(1.2 - 0.6, high, 3.3) - corner(1.2 - 0.6, low, 3.3)
                   + corner(2.5 - 1.2, high, 3.3) - corner(2.5 - 1.2, low, 3.3);
     assert_relative(f[PP_ROOM_VIEW], view, 1e-9);
 }
 
-/* Beside the window the distance is to its nearest edge. */
+/* For a point beside the window the distance to its nearest edge counts. */
 static void depth_is_to_the_nearest_part_of_the_window(void **state)
 {
     (void)state;
@@ -120,7 +120,7 @@ static void depth_is_to_the_nearest_part_of_the_window(void **state)
     assert_relative(f[PP_ROOM_DEPTH], 0.5 / (2.4 - 0.85), 1e-12);
 }
 
-/* A sill at 0.5 m under a plane at 0.85 m hides 0.35 of 1.3 m. */
+/* With a sill at 0.5 m and the plane at 0.85 m, 0.35 of 1.3 m are hidden. */
 static void glass_below_the_plane_counts_by_its_area(void **state)
 {
     (void)state;

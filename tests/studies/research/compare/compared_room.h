@@ -1,5 +1,4 @@
-/* compared_room.h - a room of a text with its points, as the tests of comparisons take
- * it. */
+/* compared_room.h - a room given as text, with its points, for tests of comparisons. */
 #ifndef PP_TESTS_STUDIES_RESEARCH_COMPARE_COMPARED_ROOM_H
 #define PP_TESTS_STUDIES_RESEARCH_COMPARE_COMPARED_ROOM_H
 
@@ -30,7 +29,7 @@ static inline void pp_test_compared_clear(struct pp_test_compared *room)
     pp_building_destroy(room->building);
 }
 
-/* Values as if, to that standard error. */
+/* Values of a variant, with this standard error. */
 static inline void pp_test_compared_values(double *values, double *errors,
                                            const struct pp_test_compared *room,
                                            const char *words, double error,

@@ -1,13 +1,14 @@
-/* The search for causes, where what each does is known on paper: patterns over points, not
- * traced. */
+/* test_cause_search.c - the search for causes with made-up effects: patterns over
+ * points that are not simulated. */
 #include "studies/research/compare/cause_search.h"
 #include "studies/research/compare/cause_shares.h"
 #include "tests/lib/near.h"
 
 enum { POINTS = 20, CAUSES = 6, FLAT = 3, FACTOR = 4, FITTED = 5 };
 
-/* Two of one kind, one that grows with depth, one that is the same everywhere, a
- * common factor, and light that grows with its value and most in the middle. */
+/* Two causes of one kind; one that increases with depth; one that is the same
+ * everywhere; a common factor; and one that increases with its value and is largest in
+ * the middle. */
 static const struct pp_cause listed[CAUSES] = {
     {"cut=1", "cut", "", "", false, false, NULL},
     {"cut=2", "cut", "", "", false, false, NULL},
@@ -16,7 +17,8 @@ static const struct pp_cause listed[CAUSES] = {
     {"factor", "factor", "", "", true, false, NULL},
     {"ground", "ground", "", "", false, false, NULL}};
 
-/* Effect of a pair beyond its sum, over the smaller of both at each point. */
+/* Effect of a pair beyond the sum of its effects, relative to the smaller effect at
+ * each point. */
 static const double TOGETHER = 0.5;
 
 static double fitted(double value, int point)
@@ -55,8 +57,8 @@ static enum pp_status trace(void *traced, const int *causes, int count, double v
     return PP_OK;
 }
 
-/* Noise of standard deviation 1, even enough to have no pattern: the same numbers every
- * time. */
+/* Noise with a standard deviation of 1, without a spatial pattern, always the same
+ * numbers. */
 static double noise(int i)
 {
     static const double even[] = {0.3,  -1.2, 0.9,  0.1, -0.4, 1.4,  -0.8,
@@ -124,7 +126,7 @@ static void one_cause_is_named_and_its_level(void **state)
     }
 }
 
-/* By what they do together, which is not the sum of what they do alone. */
+/* Two causes whose common effect is not the sum of the single effects. */
 static void two_causes_that_interact_are_named(void **state)
 {
     (void)state;
@@ -137,8 +139,8 @@ static void two_causes_that_interact_are_named(void **state)
     assert_named(gap, pair, 2);
 }
 
-/* Known only once they are traced together: where nothing more may be traced that is
- * said, and what is traced is judged. */
+/* A pair is only identified when it is simulated together. If no more simulations are
+ * allowed, the result reports this and judges the variants simulated. */
 static void what_was_not_traced_is_not_named(void **state)
 {
     (void)state;
@@ -158,7 +160,7 @@ static void what_was_not_traced_is_not_named(void **state)
     pp_cause_search_clear(&search);
 }
 
-/* Values within three standard errors: noise of 1 % at 20 points over a slope of 1. */
+/* Values within three standard errors: noise of 1 % at 20 points for a slope of 1. */
 static void a_value_between_those_that_are_traced_is_found(void **state)
 {
     (void)state;
@@ -176,7 +178,8 @@ static void a_value_between_those_that_are_traced_is_found(void **state)
     }
 }
 
-/* Without the first cut the second is the nearest, twice whose effect is the gap. */
+/* Without the first cut, the second cut is the closest set; the gap is twice its
+ * effect. */
 static void the_nearest_set_without_a_cause_is_known(void **state)
 {
     (void)state;
@@ -210,8 +213,8 @@ static void a_factor_of_any_size_is_found(void **state)
     }
 }
 
-/* A cause that has just that value is likelier than a factor that happens to; both are
- * told. */
+/* A cause with exactly this value is more likely than a factor that happens to have it;
+ * both are reported. */
 static void what_looks_alike_is_listed_together(void **state)
 {
     (void)state;
@@ -272,13 +275,13 @@ static void probabilities_are_of_one_whole(void **state)
         assert_true(i == 0
                     || search.sets[i].probability <= search.sets[i - 1].probability);
     }
-    /* Sets below a thousandth are left out; there are some thirty. */
+    /* About thirty sets with a probability below a thousandth are omitted. */
     assert_true(sum > 0.97 && sum < 1.0 + 1e-9);
     pp_cause_search_clear(&search);
 }
 
-/* Three that own gloves, two of them left ones: a pair is worth 1. Shapley gives 1/6,
- * 1/6 and 4/6. */
+/* Three players own gloves, two of them left ones: a pair is worth 1. The Shapley
+ * values are 1/6, 1/6 and 4/6. */
 static void shares_are_averages_over_orders(void **state)
 {
     (void)state;

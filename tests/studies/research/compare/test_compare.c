@@ -1,4 +1,5 @@
-/* Cases with known causes, traced from another seed: named, with their shares. */
+/* test_compare.c - cases with known causes, simulated with another seed: causes and
+ * their shares are found. */
 #include "studies/research/compare/compare.h"
 #include "tests/studies/research/compare/compared_room.h"
 
@@ -10,7 +11,7 @@ static const char small[] =
     "glazing='clear-double' maintenance='0.8'/>"
     "<working-plane height='0.8'/><grid spacing='1.5' margin='0.4'/></room>";
 
-/* Noise of 1 %, without a pattern. */
+/* Noise of 1 %, without a spatial pattern. */
 static double noise(int i)
 {
     static const double even[] = {0.3, -1.2, 0.9, 0.1, -0.4, 1.4, -0.8, -0.1};
@@ -28,7 +29,7 @@ static int set_up(void **state)
     const struct pp_compare_options options = {
         .variant = pp_room_variant_nothing(),
         .tracing = {.error = 0.02, .seed = 1, .threads = 1},
-        .noise = 0.03}; /* theirs of 1 %, and both traced to 2 % */
+        .noise = 0.03}; /* 1 % in the other program's values, both simulated to 2 % */
     pp_test_compared_init(&fixture.room, small);
     const struct pp_compare_subject subject =
         pp_compare_subject_of_room(&fixture.room.study);
@@ -58,7 +59,7 @@ static void explain(struct pp_compared *compared, struct fixture *fixture,
         fail_msg("%s", err.message);
 }
 
-/* Is the cause of that word in the set? */
+/* True if the set contains the cause with this word. */
 static bool has(const struct fixture *fixture, const struct pp_cause_set *set,
                 const char *word)
 {
@@ -79,7 +80,7 @@ static void the_same_room_has_nothing_to_explain(void **state)
     pp_compare_clear(&compared);
 }
 
-/* Is the cause of that word sure? */
+/* True if the cause with this word is certain. */
 static bool is_sure(const struct fixture *fixture, const struct pp_compared *compared,
                     const char *word)
 {
@@ -119,8 +120,8 @@ static void two_causes_are_named_with_shares_that_sum_up(void **state)
     pp_compare_clear(&compared);
 }
 
-/* Light of the ground reaches the back by the ceiling. Five standard errors: 2 % of values
- * at 12 points that grow by 0.9 times the reflectance. */
+/* Light from the ground reaches the back via the ceiling. Five standard errors: 2 % for
+ * values at 12 points that increase by 0.9 times the reflectance. */
 static void the_reflectance_of_the_ground_is_found(void **state)
 {
     struct pp_compared compared;
@@ -132,7 +133,7 @@ static void the_reflectance_of_the_ground_is_found(void **state)
     pp_compare_clear(&compared);
 }
 
-/* Walls of 0.2 in place of 0.35 are on no list. */
+/* Walls of 0.2 instead of 0.35 are not in any list of causes. */
 static void a_mistake_that_is_on_no_list_leaves_nothing_sure(void **state)
 {
     struct fixture *fixture = *state;
@@ -156,8 +157,8 @@ static void a_mistake_that_is_on_no_list_leaves_nothing_sure(void **state)
     pp_test_compared_clear(&darker);
 }
 
-/* The cause is the same, and so is the set; but what the other values scatter by was said
- * to be less than what is left. */
+/* The same cause and the same set, but the stated scatter of the other values is
+ * smaller than the unexplained rest. */
 static void nothing_is_sure_beside_more_than_noise(void **state)
 {
     struct fixture *fixture = *state;
@@ -182,7 +183,7 @@ static void nothing_is_sure_beside_more_than_noise(void **state)
     pp_compare_destroy(strict);
 }
 
-/* Where no light of the sky is followed all values are 0, which nothing else makes. */
+/* Without light from the sky all values are 0, which no other cause produces. */
 static void values_of_nothing_are_of_no_light_at_all(void **state)
 {
     struct pp_compared compared;

@@ -1,5 +1,5 @@
-/* Tests of the unexplained rest against noise that is not taken from it: by the scatter
- * of points on a grid about a smooth surface, or as stated. */
+/* test_left_over.c - the unexplained rest compared with independent noise: the scatter
+ * of points on a grid about a smooth surface, or the stated noise. */
 #include "studies/research/compare/left_over.h"
 #include "tests/lib/near.h"
 
@@ -11,7 +11,7 @@ static void lay_out(struct pp_vec3 places[POINTS])
         places[i] = pp_vec(0.4 + 0.7 * (i % 4), 0.3 + 0.9 * (i / 4), 0.8); /* NOLINT */
 }
 
-/* Noise of variance 1, from a generator of its own: a sum of twelve even numbers. */
+/* Noise of variance 1 from a separate generator: a sum of twelve uniform numbers. */
 static double draw(uint32_t *state)
 {
     double sum = -6.0;
@@ -31,7 +31,8 @@ static struct pp_left_over over_of(const double *left, int count, double known)
     return over;
 }
 
-/* One in twenty by the quantile of F; 3 % is three standard errors of 400 trials. */
+/* One case in twenty by the quantile of F; 3 % is three standard errors for 400
+ * trials. */
 static void noise_alone_exceeds_itself_in_one_case_of_twenty(void **state)
 {
     (void)state;
@@ -47,11 +48,12 @@ static void noise_alone_exceeds_itself_in_one_case_of_twenty(void **state)
         noise += over.noise / TRIALS;
     }
     assert_true(exceeds < TRIALS * (0.05 + 0.03));
-    /* The mean of a standard deviation of 14 degrees of freedom is 2 % low. */
+    /* The mean of a standard deviation with 14 degrees of freedom is 2 % too low. */
     assert_near(noise, 0.02 * 0.982, 0.0008);
 }
 
-/* As far as the square of the depth goes all of a mistake is left, none of it noise. */
+/* A mistake proportional to the square of the depth is reported completely, and not
+ * treated as noise. */
 static void a_smooth_mistake_is_left_and_does_not_pass_for_noise(void **state)
 {
     (void)state;
@@ -87,7 +89,7 @@ static void stated_noise_stands_in_place_of_the_scatter(void **state)
     assert_true(pp_left_over_is_noise(&over));
 }
 
-/* Nor do points on one place say how they scatter over a room. */
+/* Points at one position cannot show the scatter over a room. */
 static void few_points_do_not_tell_noise(void **state)
 {
     (void)state;

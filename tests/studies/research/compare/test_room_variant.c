@@ -1,4 +1,5 @@
-/* Tests of switches by their physics, against closed forms and hand methods. */
+/* test_room_variant.c - variants of a room compared with closed forms and hand
+ * methods. */
 #include "methods/evaluate.h"
 #include "model/light/glass.h"
 #include "tests/studies/research/compare/compared_room.h"
@@ -6,7 +7,7 @@
 enum { POINTS = 3 };
 static const double ERROR = 0.01;
 
-/* A frame and dirt of 0.7 and 0.8; nothing outside but black ground. */
+/* A frame and dirt of 0.7 and 0.8; outside only black ground. */
 #define ROOM(glazing, ground, more)                                                    \
     "<room version='1'><site ground-reflectance='" ground "'/>"                        \
     "<plan width='3.1' depth='4.3' height='2.7'/>"                                     \
@@ -55,7 +56,8 @@ static void exact_of(double *values, const char *xml)
     pp_test_compared_clear(&room);
 }
 
-/* Each value is `ratio` of the other, within five standard errors of both. */
+/* Asserts that each value is `ratio` times the other, within five standard errors of
+ * both. */
 static void assert_ratio(const double *values, const double *others, double ratio)
 {
     for (int i = 0; i < POINTS; i++)
@@ -93,7 +95,7 @@ static void each_reflection_more_adds_light(void **state)
     }
 }
 
-/* By black ground there is none to count. */
+/* With black ground there is no light from the ground to count. */
 static void radiance_counts_from_one(void **state)
 {
     (void)state;
@@ -104,8 +106,8 @@ static void radiance_counts_from_one(void **state)
         assert_true(ours[i] == letters[i]);
 }
 
-/* The ground is seen from walls and ceiling only: one reflection there and one at the
- * ground are two. */
+/* Only walls and ceiling see the ground: one reflection there and one at the ground are
+ * two. */
 static void where_the_ground_counts_one_reflection_leaves_it_black(void **state)
 {
     (void)state;

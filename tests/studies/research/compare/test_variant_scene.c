@@ -1,5 +1,6 @@
-/* Switches in an imported scene, held against closed forms: sensors under an even sky, over
- * a coloured ground without an end, and in a ball of glass. */
+/* test_variant_scene.c - variants of an imported scene compared with closed forms:
+ * sensors under a uniform sky, above an infinite coloured ground, and in a glass
+ * ball. */
 #include "formats/radiance/read/rad_read.h"
 #include "studies/research/compare/variant_scene.h"
 #include "tests/lib/near.h"
@@ -19,7 +20,7 @@
 
 enum { POINTS = 3 };
 
-/* Up, sideways and down. */
+/* Values of sensors that face up, sideways and down. */
 static void values_of(double values[POINTS], const char *scene, const char *words)
 {
     const struct pp_receiver points[POINTS] = {
@@ -42,7 +43,8 @@ static void values_of(double values[POINTS], const char *scene, const char *word
     pp_scene_description_clear(&description);
 }
 
-/* One that looks down sees ground alone, one that looks sideways half of each. */
+/* A sensor that faces down sees only ground, one that faces sideways half sky and half
+ * ground. */
 static void assert_over_ground(const char *words, double reflectance)
 {
     double values[POINTS];
@@ -62,7 +64,8 @@ static void channels_are_summed_up_as_the_other_program_does(void **state)
     assert_over_ground("colour=green", GREEN);
 }
 
-/* As rtrace's -ab counts: the sky takes one, what is lit by it two. */
+/* Counted as by rtrace's -ab: light from the sky is the first, light of surfaces lit by
+ * the sky the second. */
 static void light_is_followed_so_far(void **state)
 {
     (void)state;
@@ -73,8 +76,8 @@ static void light_is_followed_so_far(void **state)
     assert_over_ground("ab=2", luminance);
 }
 
-/* In the middle of a ball all light falls on glass at right angles. Half of what one gets
- * that looks up is straight; rho = (0.52 / 2.52)^2 at either face. */
+/* In the centre of a ball all light meets the glass at normal incidence. For a sensor
+ * that faces up half of the light is direct; rho = (0.52 / 2.52)^2 at both surfaces. */
 static void glass_is_what_it_is_taken_for(void **state)
 {
     (void)state;

@@ -1,15 +1,15 @@
-/* test_comparison.c - methods beside the simulation: differences that are known, in rooms
- * that are summed up. */
+/* test_comparison.c - methods compared with the simulation: known differences, summed
+ * over rooms. */
 #include "studies/research/validation/comparison.h"
 
 #include <stdlib.h>
 
 #include "tests/lib/near.h"
 
-/* A dark room, 1 % traced at each of its 4 points, where the method is 0.2 % over, and a
- * bright one, 5 % at 12 points, where it is 0.5 % under: 20 % over and 10 % under. By
- * points that is (4 x 20 - 12 x 10)/16 = -2.5 %, with the spread
- * sqrt((4 x 20^2 + 12 x 10^2)/16), and the worst is the bright room's 30 %. */
+/* A dark room, 1 % simulated at each of its 4 points, where the method is 0.2 % too
+ * high, and a bright room, 5 % at 12 points, where it is 0.5 % too low: +20 % and -10
+ * %. Over points this is (4 x 20 - 12 x 10)/16 = -2.5 %, with the spread sqrt((4 x 20^2
+ * + 12 x 10^2)/16); the largest error is the bright room's 30 %. */
 static void rooms_count_by_their_points_dark_ones_as_bright_ones(void **state)
 {
     (void)state;
@@ -44,7 +44,7 @@ static void rooms_count_by_their_points_dark_ones_as_bright_ones(void **state)
     assert_near(list->spread, sqrt((4.0 * 0.04 + 12.0 * 0.01) / 16.0), 1e-15);
     assert_near(list->worst, -0.3, 1e-15);
     assert_int_equal(list->worst_room, 1);
-    /* +20 % and -8 %, rooms alike. */
+    /* +20 % and -8 %, with equal weights for both rooms. */
     assert_int_equal(list->averages, 2);
     assert_near(list->average_bias, 0.06, 1e-15);
     assert_near(list->average_spread, sqrt((0.04 + 0.0064) / 2.0), 1e-15);

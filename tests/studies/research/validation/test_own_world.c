@@ -1,5 +1,5 @@
-/* test_own_world.c - the worlds that methods have in mind, and a method's error as the sum
- * of the assumption's and the formula's. */
+/* test_own_world.c - the world that a method assumes, and the error of a method as the
+ * sum of the errors of this assumption and of its formula. */
 #include "studies/research/validation/own_world.h"
 
 #include <stdio.h>
@@ -14,7 +14,7 @@
 #include "studies/research/validation/own_skylines.h"
 #include "tests/lib/near.h"
 
-/* A room of a file, by methods and traced, in its own worlds too. */
+/* A room by methods and simulated, also in the worlds that the methods assume. */
 struct compared {
     struct pp_building *building;
     struct pp_study_room room;
@@ -25,7 +25,7 @@ struct compared {
     int count;
 };
 
-/* c stays where it is: its parts point to one another. */
+/* c must not move: its parts point to each other. */
 static void load(struct compared *c, const char *xml, const char *methods)
 {
     *c = (struct compared){.options = PP_STUDY_OPTIONS_NONE};
@@ -81,7 +81,7 @@ static const struct pp_comparison *find(const struct compared *c,
     return NULL;
 }
 
-/* The report of the world in which a column has a component. */
+/* Report for the world in which a column has a component. */
 static const struct pp_report *world_for(const struct compared *c,
                                          enum pp_component column, const char *name,
                                          enum pp_component component)
@@ -131,8 +131,8 @@ static void assumption_and_formula_make_the_whole(void **state)
     clear(&c);
 }
 
-/* With one seed, light from the sky is the same to the bit whatever the ground: direct
- * methods have the room's. */
+/* With one seed, light from the sky is identical for any ground: direct methods use the
+ * room's own world. */
 static void the_sky_component_has_no_other_ground(void **state)
 {
     (void)state;
@@ -147,9 +147,9 @@ static void the_sky_component_has_no_other_ground(void **state)
     clear(&c);
 }
 
-/* Only the externally reflected component is asked of the world with the block and an
- * open ground, as bre has a skyline in the block's place: it is traced by direct light
- * alone. That of bre is traced whole. */
+/* In the world with the block and open ground only the externally reflected component
+ * is required, since bre has a skyline in place of the block. This world is simulated
+ * with direct light only, that of bre completely. */
 static void a_world_is_traced_for_what_is_asked_of_it(void **state)
 {
     (void)state;
@@ -183,8 +183,9 @@ static void bre_in_the_world_that_it_was_made_for_assumes_nothing_wrong(void **s
     clear(&c);
 }
 
-/* Half of the reflectance of the ground is missing, which gives the window 10 of some 50
- * parts and the ceiling most of what it has: far more than noise. */
+/* Half of the ground's reflectance is missing. The ground provides 10 of about 50 parts
+ * of the light on the window and most of the light on the ceiling, far more than the
+ * noise. */
 static void a_ground_brighter_than_bre_has_it_is_a_negative_assumption(void **state)
 {
     (void)state;
@@ -270,7 +271,7 @@ static void a_variant_has_the_world_of_its_method(void **state)
 
 /* ---- what stands outside ---- */
 
-/* The skylines of a room, whose world is the caller's. */
+/* Skylines of a room; the caller owns its world. */
 static struct pp_own_skylines skylines_of(const char *xml, struct compared *c)
 {
     load(c, xml, "exact");
@@ -300,7 +301,8 @@ static double angle_of(const struct compared *c, int opening)
     return angle_rad;
 }
 
-/* In the world with the skyline in its place the formula sees the angle that it saw. */
+/* In the world with the skyline in place of the block, the formula uses the same
+ * angle. */
 static void a_block_becomes_the_skyline_of_the_same_angle(void **state)
 {
     (void)state;
@@ -357,7 +359,8 @@ static void a_far_skyline_of_a_fifth_is_the_formulas_own(void **state)
     }
 }
 
-/* A rooflight is covered where nothing hides its sky, and level glass has no side. */
+/* `k-factor` covers a rooflight only with an unobstructed sky, and horizontal glass has
+ * no wall to which a skyline could belong. */
 static void before_a_rooflight_a_block_stays_where_it_is(void **state)
 {
     (void)state;
@@ -377,8 +380,8 @@ static void before_a_rooflight_a_block_stays_where_it_is(void **state)
     clear(&c);
 }
 
-/* The west window of an L-shaped room looks at a wing of the room itself, which stays
- * there when all else is cleared away, and is no skyline besides. */
+/* The west window of an L-shaped room faces a wing of the room itself. The wing remains
+ * when the surroundings are removed, and is not counted as a skyline in addition. */
 static void what_the_rooms_own_walls_hide_is_not_hidden_twice(void **state)
 {
     (void)state;
@@ -408,7 +411,7 @@ static void what_the_rooms_own_walls_hide_is_not_hidden_twice(void **state)
     clear(&c);
 }
 
-/* The street's wall that goes on beyond the room stands outside, as a block does. */
+/* The extension of the wall beyond the room counts as surroundings, like a block. */
 static void a_facade_is_cleared_away_with_all_that_stands_outside(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_room_cases.c - hand figures beside the simulation's as cases: the band of the atlas is
- * their limit, and both parts add up to their difference. */
+/* test_room_cases.c - hand figures compared with the simulation as cases: the limit is
+ * the band of the atlas, and both parts of a difference add up. */
 #include "studies/research/validation/room_cases.h"
 
 #include <stdlib.h>
@@ -16,7 +16,7 @@ static const char hall[] =
     "<window wall='south' left='0.7' sill='0.9' width='2.3' height='1.7'/>"
     "<point x='2.1' y='1.7'/><point x='2.1' y='4.7'/></room>";
 
-/* The room, its report and the worlds of its methods, traced. */
+/* The room, its report and the worlds of its methods, simulated. */
 struct traced {
     struct pp_building *building;
     struct pp_study_room room;
@@ -84,8 +84,8 @@ static const struct pp_known_case *case_of(const struct traced *t, const char *w
     return NULL;
 }
 
-/* A band whose upper end is 2.9 standard errors under what is traced holds it, one whose
- * upper end is 3.1 under it does not; so with its lower end above. */
+/* A band whose upper limit is 2.9 standard errors below the simulated value contains
+ * it, one that is 3.1 below does not; the same for its lower limit. */
 static void three_standard_errors_widen_a_band(void **state)
 {
     (void)state;
@@ -115,7 +115,8 @@ static void three_standard_errors_widen_a_band(void **state)
     clear(&t);
 }
 
-/* The difference of bre is its ground's and its formula's, and exact has the room's sky. */
+/* The difference of bre consists of the parts of its ground and its formula; exact uses
+ * the room's own sky. */
 static void both_parts_of_a_case_add_up_to_its_difference(void **state)
 {
     (void)state;
@@ -136,7 +137,8 @@ static void both_parts_of_a_case_add_up_to_its_difference(void **state)
     clear(&t);
 }
 
-/* Neither right nor wrong, and no part of the score: but it is said why. */
+/* Without a band a case is neither correct nor wrong and is not counted, but the reason
+ * is given. */
 static void without_a_band_there_is_no_verdict(void **state)
 {
     (void)state;
@@ -169,7 +171,7 @@ static const struct pp_known_case *of_radiance(struct pp_known_cases *cases,
     return &cases->list[cases->count - 1];
 }
 
-/* 3 sqrt(3^2 + 4^2) = 15, of two that are sampled; else 1 %. */
+/* 3 sqrt(3^2 + 4^2) = 15 for two sampled values; otherwise 1 %. */
 static void another_program_may_differ_by_chance_or_one_per_cent(void **state)
 {
     (void)state;
@@ -184,7 +186,8 @@ static void another_program_may_differ_by_chance_or_one_per_cent(void **state)
     pp_known_case_clear(&cases);
 }
 
-/* Half a limit is half a limit on either side, however far the other is. */
+/* The share of a limit is calculated on the side of the difference, for any limit on
+ * the other side. */
 static void a_share_is_of_the_limit_on_its_side(void **state)
 {
     (void)state;
@@ -193,7 +196,7 @@ static void a_share_is_of_the_limit_on_its_side(void **state)
     assert_near(pp_known_case_share(&one), 0.5, 1e-12);
     one.answer = 0.95;
     assert_near(pp_known_case_share(&one), -0.5, 1e-12);
-    one.least = 0.1; /* the band leaves the figure itself out */
+    one.least = 0.1; /* the band does not contain the figure itself */
     one.answer = 1.25;
     assert_near(pp_known_case_share(&one), 0.0, 1e-12);
     one.answer = 1.4;

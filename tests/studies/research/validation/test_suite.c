@@ -1,4 +1,4 @@
-/* test_suite.c - the suites of `validate` pass, and cases that are off are told. */
+/* test_suite.c - the suites of `validate` pass, and wrong cases are reported. */
 #include "studies/research/validation/cie171.h"
 #include "studies/research/validation/suite.h"
 
@@ -8,7 +8,8 @@
 #include "tests/lib/near.h"
 #include "tests/lib/sized.h"
 
-/* All cases are right, and as many as there should be; says which are not. */
+/* Asserts that all cases pass and that their number is as expected; prints those that
+ * fail. */
 static void check_cases(const char *name, const struct pp_known_cases *cases, int count)
 {
     assert_true(cases->whole);
@@ -22,7 +23,7 @@ static void check_cases(const char *name, const struct pp_known_cases *cases, in
     assert_int_equal(cases->count, count);
 }
 
-/* Runs a suite with few paths; how many of its cases are traced. */
+/* Runs a suite with few paths; returns the number of simulated cases. */
 static int check_suite(const char *name, int count)
 {
     const struct pp_suite *suite = pp_suite_find(name);
@@ -45,16 +46,16 @@ static void closed_forms_are_met(void **state)
     assert_int_equal(check_suite("analytic", 33), 11);
 }
 
-/* 580 cells of the BRS table, 120 of the minimum's, 9 obstruction factors, 2 skies, 24
- * configuration factors, 10 worked figures. */
+/* 580 cells of the BRS table, 120 of the table of minima, 9 obstruction factors, 2
+ * skies, 24 configuration factors, 10 worked examples. */
 static void printed_tables_are_met_cell_by_cell(void **state)
 {
     (void)state;
     assert_int_equal(check_suite("published", 580 + 120 + 9 + 2 + 24 + 10), 24);
 }
 
-/* 2592 values against the other integration, 2188 of them against print. The trace of
- * them all takes longer than a test may; `validate cie171` makes it. */
+/* 2592 values compared with the other integration, 2188 of them also with printed
+ * values. Simulating all of them takes too long for a test; `validate cie171` does. */
 static void cie_171_is_met_by_exact(void **state)
 {
     (void)state;
@@ -92,7 +93,7 @@ static void an_answer_that_is_off_does_not_pass(void **state)
     pp_known_case_clear(&cases);
 }
 
-/* One in three may be outside by chance, but no case that is not traced. */
+/* One simulated case in three may be outside its limit by chance, but no other case. */
 static void chance_excuses_traced_cases_alone(void **state)
 {
     (void)state;

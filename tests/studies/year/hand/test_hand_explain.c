@@ -1,4 +1,5 @@
-/* The explanations of hand methods for the year, recomputed from their printed digits. */
+/* test_hand_explain.c - the explanations of hand methods for the year, recalculated
+ * from their printed digits. */
 #include "tests/studies/year/hand/made_hand_year.h"
 
 #include <stdlib.h>
@@ -6,7 +7,8 @@
 #include "model/results/step_text.h"
 #include "tests/lib/interval_formula.h"
 
-/* Recomputes all formulae from the figures printed above them; returns their number. */
+/* Recalculates all formulae from the figures printed above them; returns their
+ * number. */
 static int recompute_steps(const struct pp_steps *steps, const char *name)
 {
     struct figures *figures = calloc(1, sizeof *figures);
@@ -28,7 +30,7 @@ static int recompute_steps(const struct pp_steps *steps, const char *name)
             if (!(again.low <= printed.high && printed.low <= again.high))
                 fail_msg("%s: %s = %s comes to %.9g ... %.9g, printed is %s", name,
                          step->symbol, step->formula, again.low, again.high, text);
-            /* Figures are printed to four digits or more; ten of them give 0.5 %. */
+            /* Figures are printed to at least four digits; ten of them give 0.5 %. */
             if (again.high - again.low > 0.005 * fabs(printed.low + printed.high)
                                              + (step->unit == PP_UNIT_LUX ? 0.3 : 2e-3))
                 fail_msg("%s: %s = %s: by what is printed it may be %.9g ... %.9g",
@@ -42,7 +44,7 @@ static int recompute_steps(const struct pp_steps *steps, const char *name)
     return formulae;
 }
 
-/* Hours of each bin of clearness and pair of standard skies. */
+/* Fills hours for each bin of clearness and each pair of standard skies. */
 static void fill_mixed_year(struct made_hand_year *year)
 {
     static const double clearness[] = {1.0, 1.13, 1.9, 2.7, 4.2, 7.0};
@@ -85,8 +87,8 @@ static void every_hour_and_year_is_recomputed_from_its_digits(void **state)
     made_hand_room_clear(&made);
 }
 
-/* The hours of the year's calculation are those whose own calculation reaches the
- * target; states count with their probability. */
+/* The number of hours in the year's calculation is that of the hours whose own
+ * calculation reaches the target; states count with their probability. */
 static void year_counts_its_hours(void **state)
 {
     (void)state;

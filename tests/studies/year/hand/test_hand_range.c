@@ -1,4 +1,4 @@
-/* The likely ranges of hand figures for the year. */
+/* test_hand_range.c - likely ranges of hand figures for the year. */
 #include "tests/lib/near.h"
 
 #include "studies/year/hand/hand_range.h"
@@ -9,7 +9,7 @@ static double width_of(struct pp_hand_interval range)
     return range.high - range.low;
 }
 
-/* All methods have a range for every orientation, in the middle of all figures. */
+/* All methods have a range for every orientation at the middle of the scale. */
 static void every_method_has_ranges_between_none_and_all_hours(void **state)
 {
     (void)state;
@@ -26,8 +26,8 @@ static void every_method_has_ranges_between_none_and_all_hours(void **state)
             }
 }
 
-/* Classes with the light of each hour are near the simulation; the daylight factor times
- * diffuse light is far below it. */
+/* Classes with the light of each hour are close to the simulation; the daylight factor
+ * times diffuse light is far below it. */
 static void ranges_are_wider_for_rougher_methods(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* Hand methods for the year: each is exact in the weather that it assumes. */
+/* test_hand_year.c - hand methods for the year: each is exact for the weather that it
+ * assumes. */
 #include "studies/year/hand/hand_case.h"
 #include "tests/studies/year/hand/made_hand_year.h"
 
@@ -15,8 +16,8 @@ static void compute_both(struct pp_hand_year_sheet *hand, struct pp_annual_sheet
                      PP_OK);
 }
 
-/* Methods have the mean illuminance of the simulation: the paths are the same, so only
- * single precision differs. */
+/* Asserts that the methods have the mean illuminance of the simulation. The paths are
+ * the same, so only single precision causes differences. */
 static void methods_are_exact(const struct made_hand_year *year, const char *methods,
                               int north_deg)
 {
@@ -52,8 +53,8 @@ static void overcast_year_is_the_daylight_factor_times_outside(void **state)
         &year, "df-diffuse,df-global,doe2,adeline,adeline-mean,classes-scaled", 0);
 }
 
-/* At one of the 20 positions without clouds doe2 interpolates nothing: the azimuth is 55
- * degrees west of south, and the altitude the greatest of the year. */
+/* At one of the 20 positions without clouds doe2 does not interpolate: the azimuth is
+ * 55 degrees west of south, and the altitude the highest of the year. */
 static void clear_hours_at_a_node_are_those_of_doe2(void **state)
 {
     (void)state;
@@ -68,8 +69,8 @@ static void clear_hours_at_a_node_are_those_of_doe2(void **state)
     methods_are_exact(&year, "doe2", 70);
 }
 
-/* One hour in each month at each time of day: its sun is the mean sun, and its weather the
- * mean weather. A clearness above 6 is all clear for EnergyPlus. */
+/* One hour in each month at each time of day: the mean sun is its sun, and the mean
+ * weather its weather. EnergyPlus treats a clearness above 6 as entirely clear. */
 static void single_clear_hours_are_those_of_monthly_methods(void **state)
 {
     (void)state;
@@ -128,7 +129,7 @@ static void orientation_factor_follows_the_facade(void **state)
 }
 
 /* Without sun the rule is the daylight factor times k_d: 1.25 facing the equator, 1.05
- * east, 1.10 the pole, 1.35 west. The room's window faces south at north 0. */
+ * east, 1.10 the pole, 1.35 west. The room's window faces south if north is 0. */
 static void rule_scales_diffuse_light_by_orientation(void **state)
 {
     (void)state;
@@ -141,7 +142,8 @@ static void rule_scales_diffuse_light_by_orientation(void **state)
                     1e-5);
 }
 
-/* Type 1 of ISO 15469 is darker near the horizon, which the back of the room sees. */
+/* Type 1 of ISO 15469 is darker near the horizon, which is the part seen from the back
+ * of the room. */
 static void type_1_gives_less_light_to_the_back_of_the_room(void **state)
 {
     (void)state;
@@ -152,8 +154,9 @@ static void type_1_gives_less_light_to_the_back_of_the_room(void **state)
     assert_true(ratio > 0.85 && ratio < 0.97);
 }
 
-/* Equal windows to south, north and west, the north's behind a screen that is open by a
- * quarter, the west's with half as much light by its dirt: shares 4 : 1 : 2. */
+/* Equal windows facing south, north and west. A screen with an openness of a quarter is
+ * in front of the north window, and dirt halves the light of the west window: shares 4
+ * : 1 : 2. */
 static void orientations_count_by_the_light_that_their_windows_pass(void **state)
 {
     (void)state;
@@ -189,7 +192,7 @@ static void wrong_names_are_refused(void **state)
     assert_string_equal(choice.list[0]->name, "doe2");
 }
 
-/* A file without the sky cover leaves doe2 without figures, and the others with theirs. */
+/* A file without cloud cover leaves doe2 without figures, but not the other methods. */
 static void doe2_needs_the_cloud_cover(void **state)
 {
     (void)state;

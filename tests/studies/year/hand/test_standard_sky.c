@@ -1,4 +1,4 @@
-/* The standard skies of mixtures for the year. */
+/* test_standard_sky.c - the standard skies used in mixtures for the year. */
 #include "tests/lib/near.h"
 
 #include "model/light/sky.h"
@@ -12,7 +12,8 @@ static struct pp_vec3 toward(double altitude_deg, double bearing_deg)
 
 static const struct pp_vec3 up = {0.0, 0.0, 1.0};
 
-/* Moon and Spencer: E_h = 7/9 pi Lz, and the horizon has a third of the zenith. */
+/* Moon and Spencer: E_h = 7/9 pi Lz, and the horizon has a third of the zenith's
+ * luminance. */
 static void overcast_sky_has_seven_ninths_of_pi_zenith(void **state)
 {
     (void)state;
@@ -22,7 +23,7 @@ static void overcast_sky_has_seven_ninths_of_pi_zenith(void **state)
                 pp_perez_sky_luminance(&sky, up) / 3.0, 1e-6);
 }
 
-/* Through the shared form of skies. */
+/* Compared with the general form of skies. */
 static void clear_turbid_and_type_1_are_those_of_iso_15469(void **state)
 {
     (void)state;
@@ -44,9 +45,9 @@ static void clear_turbid_and_type_1_are_those_of_iso_15469(void **state)
     }
 }
 
-/* EnergyPlus divides (4) by its zenith value, with rounded constants of its own:
- * Z3 = 0.99224 sin(2.6 h + 0.316) + 2.73852, Z4 = exp(-0.563 (pi/2 - h)
- * (2.6298 (h - 0.008) + 0.812)). */
+/* EnergyPlus divides (4) by its value at the zenith, with its own rounded constants: Z3
+ * = 0.99224 sin(2.6 h + 0.316) + 2.73852, Z4 = exp(-0.563 (pi/2 - h) (2.6298 (h -
+ * 0.008) + 0.812)). */
 static void intermediate_sky_has_its_published_zenith(void **state)
 {
     (void)state;
