@@ -1,4 +1,4 @@
-/* test_study.c - the public interface as a program uses it: pepperpot.h and nothing else. */
+/* test_study.c - the public interface as a program uses it: with pepperpot.h only. */
 #include "tests/lib/near.h"
 
 #include <stdio.h>
@@ -17,7 +17,7 @@
     "<plan width='3.0' depth='9.0' height='2.7'/>" inside "</room>"
 #define POINT "<point x='1.1' y='2.0' z='0.8'/>"
 
-/* A study of one room and what it rests on. */
+/* A study of one room, and the objects it depends on. */
 struct opened {
     struct pp_mistakes *mistakes;
     struct pp_building *building;
@@ -75,11 +75,11 @@ static struct pp_reading reading_of(const struct pp_study *study,
 
 /* Sky component of the opening at (1.1, 2.0, 0.8), by the midpoint rule:
  *
- *     SC = 9/(7 pi) sum of (1 + 2 s)/3 s d/r^3 dA
+ *    SC = 9/(7 pi) sum of (1 + 2 s)/3 s d/r^3 dA
  *
- *   r  distance to the middle of the cell
- *   s  sine of its altitude
- *   d  distance from the window's plane
+ *  r  distance from the centre of the cell
+ *  s  sine of its altitude
+ *  d  distance from the window's plane
  */
 static double sky_component_by_quadrature(void)
 {
@@ -110,8 +110,8 @@ static void a_hand_figure_is_the_integral_over_the_window(void **state)
     assert_relative(reading_of(opened.study, PP_SC, "exact", 0).value,
                     sky_component_by_quadrature(), 1e-6);
 
-    /* A daylight factor is the sum of its components: here no light comes by the
-     * outside. */
+    /* A daylight factor is the sum of its components; here the externally reflected
+     * component is zero. */
     struct pp_reading sum = reading_of(opened.study, PP_DF, "exact+bre", 0);
     double parts = reading_of(opened.study, PP_SC, "exact", 0).value
                    + reading_of(opened.study, PP_IRC, "bre", 0).value;
@@ -119,7 +119,7 @@ static void a_hand_figure_is_the_integral_over_the_window(void **state)
     close_room(&opened);
 }
 
-/* BRE's formula is in proportion to its transmittance of 0.85. */
+/* The BRE formula is proportional to its transmittance of 0.85. */
 static void a_variant_of_a_formula_stands_beside_the_original(void **state)
 {
     (void)state;
@@ -171,7 +171,7 @@ static void a_seed_gives_the_same_bits_on_any_number_of_threads(void **state)
     close_room(&opened);
 }
 
-/* A second simulation, forwards, has a column of its own beside the first one's. */
+/* A second simulation, by photons, has its own column beside the first. */
 static void photons_stand_beside_what_was_traced(void **state)
 {
     (void)state;
@@ -274,7 +274,7 @@ static void what_makes_no_sense_is_refused(void **state)
     check_refused(pp_study_size(study, 0.0, PP_CHANGE_WIDTH, NULL, &found, NULL, &err),
                   &err, "target");
 
-    /* The study is as before, and a reading that is not there says so. */
+    /* The study is unchanged, and a missing reading is reported. */
     assert_int_equal(pp_study_point_count(study), 1);
     assert_int_equal(pp_study_find(study, PP_SC, "traced"), -1);
     struct pp_reading none = pp_study_reading(study, 99, 0);
@@ -336,7 +336,7 @@ static void charts_are_files_of_their_format(void **state)
     close_room(&opened);
 }
 
-/* Number of the study's judgements that rest on sampled figures. */
+/* Number of findings of the study that depend on sampled figures. */
 static int judge_and_count_sampled(struct pp_study *study)
 {
     struct pp_error err = {0};

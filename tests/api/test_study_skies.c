@@ -1,4 +1,4 @@
-/* test_study_skies.c - a study whose sky is changed keeps what was built of its room. */
+/* test_study_skies.c - a study whose sky changes keeps the scene of its room. */
 #include "tests/lib/counted_builds.h"
 #include "tests/lib/near.h"
 
@@ -41,7 +41,7 @@ static void close_room(struct opened *opened)
     pp_mistakes_destroy(opened->mistakes);
 }
 
-/* Everything by hand and traced; engine NULL: the usual one. */
+/* Calculates all hand methods and a simulation; engine NULL: the default. */
 static void work_out(struct pp_study *study, const char *engine)
 {
     const struct pp_simulation_request request = {
@@ -69,7 +69,8 @@ static void assert_same_figures(const struct pp_study *a, const struct pp_study 
         }
 }
 
-/* One build for five skies; each has the figures of a study made under it, to the bit. */
+/* Builds the scene once for five skies; the figures are identical to those of a study
+ * created under each sky. */
 static void skies_share_a_scene(void **state)
 {
     (void)state;

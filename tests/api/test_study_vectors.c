@@ -1,4 +1,4 @@
-/* test_study_vectors.c - a room's geometry and contours as JSON say what the room is. */
+/* test_study_vectors.c - a room's geometry and contours as JSON agree with the room. */
 #include "tests/lib/near.h"
 
 #include <json.h>
@@ -7,7 +7,8 @@
 
 #include "pepperpot.h"
 
-/* The block's corner is off the room's axes; the window is not in the middle. */
+/* The corner of the block is not on the axes of the room; the window is not in the
+ * middle. */
 static const char room_text[] =
     "<room version='1' name='Cell'>\n"
     "<plan width='3.0' depth='5.0' height='2.7'/>\n"
@@ -68,8 +69,9 @@ static struct json_object *parsed(char *bytes)
     return object;
 }
 
-/* The south wall's elevation is drawn from outside, where x runs to the right: the
- * opening reaches from x = 0.4 to 1.5 and z = 0.9 to 2.2, its glass 0.2 m outside. */
+/* The elevation of the south wall is seen from outside, where x increases to the right:
+ * the opening extends from x = 0.4 to 1.5 and z = 0.9 to 2.2, its glass is 0.2 m
+ * outside. */
 static void scene_has_the_opening_where_the_elevation_has_it(void **state)
 {
     (void)state;
@@ -109,8 +111,7 @@ static double factor_at(struct pp_study *study, double x, double y)
     return pp_study_reading(study, pp_study_find(study, PP_DF, "exact+bre"), 0).value;
 }
 
-/* The vertex farthest from the walls, close to which figures are those of a little way
- * off. */
+/* The vertex farthest from the walls; near the walls figures are extrapolated. */
 static size_t inmost(struct json_object *xy)
 {
     size_t best = 0;
@@ -126,8 +127,8 @@ static size_t inmost(struct json_object *xy)
     return best;
 }
 
-/* Each contour is where the closed form has its level: to a millimetre of place, which
- * is 0.5 % of the figure where it changes by 5 per metre. */
+/* Each contour is where the closed form has its level, to a millimetre, which is 0.5 %
+ * of the figure where the figure changes by 5 per metre. */
 static void contours_lie_where_the_closed_form_has_their_level(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_charts.c - section, plan and availability charts: what stands on them, their true
- * scales, and odd data. */
+/* test_charts.c - section, plan and availability charts: their contents, their true
+ * scales, and unusual data. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -92,7 +92,7 @@ static char *section(const struct pp_report *report, enum pp_section_scale scale
     return finish(canvas, length);
 }
 
-/* The words of a PDF, white space as single blanks; NULL: no pdftotext here. */
+/* Text of a PDF, white space as single blanks; NULL if pdftotext is not installed. */
 static char *words_of(const char *pdf, size_t length)
 {
     if (system("command -v pdftotext >/dev/null") != 0)
@@ -284,7 +284,7 @@ static void a_report_without_values_says_so_on_the_chart(void **state)
     char *pdf = section(&report, false, PP_CHART_PDF, &length);
     assert_says(pdf, length, sayings);
 
-    /* All null, on both scales. */
+    /* All values null, on both scales. */
     add_columns(&report);
     for (int c = 0; c < 3; c++)
         for (int i = 0; i < report.receiver_count; i++)
@@ -379,7 +379,7 @@ static void a_plan_is_to_the_scale_that_it_states(void **state)
     static const struct {
         enum pp_paper paper;
         const char *scale;
-        double mm; /* of the no-sky line of 2 m */
+        double mm; /* distance on paper of 2 m on the no-sky line */
     } rows[] = {{PP_PAPER_A5, "1:75", 2000.0 / 75.0},
                 {PP_PAPER_A4, "1:50", 40.0},
                 {PP_PAPER_A2, "1:20", 100.0}};
@@ -395,7 +395,7 @@ static void a_plan_is_to_the_scale_that_it_states(void **state)
             plan_chart(world, &light, &plan, PP_CHART_PDF, rows[i].paper, &length);
         assert_says(pdf, length, sayings);
 
-        /* The one dashed line of two points is the no-sky line. */
+        /* The only dashed line of two points is the no-sky line. */
         char *svg =
             plan_chart(world, &light, &plan, PP_CHART_SVG, rows[i].paper, &length);
         double found = 0.0;

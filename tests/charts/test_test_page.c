@@ -1,6 +1,5 @@
-/* test_test_page.c - the page that checks a printer is at true scale itself: its rulers
- * are measured in the pixels of its PNG, at ten to the millimetre.
- */
+/* test_test_page.c - the page for checking a printer has true scale: its rulers are
+ * measured in the pixels of its PNG, at ten per millimetre. */
 #include "tests/lib/near.h"
 
 #include <stdlib.h>
@@ -28,7 +27,7 @@ static cairo_status_t take_bytes(void *closure, unsigned char *bytes,
     return CAIRO_STATUS_SUCCESS;
 }
 
-/* The caller's to destroy. */
+/* The caller destroys the surface. */
 static cairo_surface_t *draw_test_page(void)
 {
     const struct pp_sheet sheet = {
@@ -56,7 +55,7 @@ static bool is_dark(cairo_surface_t *image, int x, int y)
     return (pixel & 0xFF) < 0x80;
 }
 
-/* Longest dark run of row or column `line`, among its first `length` pixels. */
+/* Longest dark run in row or column `line`, within its first `length` pixels. */
 static int longest_run(cairo_surface_t *image, int line, int length, bool down)
 {
     int longest = 0, run = 0;
@@ -75,8 +74,8 @@ static void its_rulers_are_100_mm_long(void **state)
     int height = cairo_image_surface_get_height(image);
     assert_int_equal(width, 210 * PIXELS_PER_MM);
     assert_int_equal(height, 297 * PIXELS_PER_MM);
-    /* The longest lines of the upper left part are the rulers and their last ticks, which
-     * are 0.12 mm wide; the tick of the other ruler's 0 adds 5 mm. */
+    /* The longest lines of the upper left part are the rulers with their last ticks,
+     * which are 0.12 mm wide; the tick at 0 of the other ruler adds 5 mm. */
     int across = 0, down = 0;
     for (int y = 0; y < height / 2; y++)
         across = (int)fmax(across, longest_run(image, y, width * 2 / 3, false));
@@ -87,7 +86,7 @@ static void its_rulers_are_100_mm_long(void **state)
     cairo_surface_destroy(image);
 }
 
-/* Every shade of the wedge is there, from black to white. */
+/* Every shade of the grey wedge is present, from black to white. */
 static void its_greys_go_from_black_to_white(void **state)
 {
     (void)state;
@@ -105,7 +104,7 @@ static void its_greys_go_from_black_to_white(void **state)
                 + 4 * (size_t)x;
             count[pixel[0]]++;
         }
-    /* A twelfth of the width, 12 mm high, less its edges. */
+    /* A twelfth of the width, 12 mm high, without its edges. */
     int field = width / 13 * 11 * PIXELS_PER_MM;
     for (int i = 0; i < 12; i++) {
         int grey = (int)lround(255.0 * (1.0 - shares[i] / 100.0)), found = 0;

@@ -1,4 +1,4 @@
-/* The arguments of a command line, as the tables of options read them. */
+/* test_options.c - the arguments of a command line, parsed by the tables of options. */
 #include "tests/lib/near.h"
 
 #include "cli/options.h"
@@ -31,7 +31,7 @@ static const struct pp_option table[] = {
 
 enum { MOST = 12 };
 
-/* Reads words (ended by NULL) behind the command; the operands are left in them. */
+/* Parses words (ended by NULL) after the command; the operands remain in them. */
 static enum pp_status read_words(struct words *values, const char *words[MOST],
                                  int *operands, bool *help, struct pp_error *err)
 {
@@ -55,7 +55,7 @@ static void accept(struct words *values, const char *words[MOST])
     assert_false(help);
 }
 
-/* Refused, with all of `said` in the message. */
+/* Asserts that the words are rejected with a message that contains `said`. */
 static void refuse(const char *words[MOST], const char *said)
 {
     struct words values;
@@ -184,7 +184,7 @@ static void counts_are_whole_and_in_range(void **state)
     refuse(WORDS("--seed", "18446744073709551616"), "a whole number from 0");
 }
 
-/* ---- the options that all commands on a room share ---- */
+/* ---- options shared by all commands on a room ---- */
 
 static void illuminances_are_sensible(void **state)
 {

@@ -1,4 +1,4 @@
-/* test_output.c - a write to a pipe can be ended by a signal. */
+/* test_output.c - a signal can end a write to a pipe. */
 #include "cli/output.h"
 
 #include <signal.h>
@@ -11,11 +11,11 @@
 #include "cli/interrupt.h"
 #include "tests/lib/near.h"
 
-/* Writes to a file that is not regular, as to a pipe, and gets a signal. */
+/* Writes to a file that is not regular, such as a pipe, and receives a signal. */
 static void write_and_get(int signal_number)
 {
     struct pp_output output;
-    signal(SIGINT, SIG_DFL); /* a shell's job in the background ignores it */
+    signal(SIGINT, SIG_DFL); /* a background job of a shell ignores it */
     pp_interrupt_watch();
     if (pp_output_open(&output, "/dev/null", NULL) != PP_OK)
         _exit(1);
@@ -41,7 +41,7 @@ static void a_signal_ends_a_program_that_writes_to_a_pipe(void **state)
     }
 }
 
-/* Even opening a pipe without a reader waits. */
+/* Opening a pipe without a reader also waits. */
 static void a_signal_ends_a_program_whose_pipe_has_no_reader(void **state)
 {
     (void)state;
@@ -71,7 +71,7 @@ static void a_signal_ends_a_program_whose_pipe_has_no_reader(void **state)
     assert_int_equal(WTERMSIG(status), SIGTERM);
 }
 
-/* The second target cannot be written: the temporary file has no place. */
+/* The second output cannot be written: its temporary file cannot be created. */
 static void a_failure_leaves_all_old_files(void **state)
 {
     (void)state;
@@ -105,7 +105,7 @@ static void a_failure_leaves_all_old_files(void **state)
     assert_string_equal(line, "old");
 }
 
-/* Before that, a signal is a request to stop. */
+/* Before the write, a signal only requests to stop. */
 static void a_signal_before_it_is_noted(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* The progress line of a long computation. */
+/* test_progress.c - the progress line of a long calculation. */
 #include "tests/lib/near.h"
 
 #include <locale.h>
@@ -8,7 +8,7 @@
 #include "cli/progress.h"
 #include "reports/parts/format.h"
 
-/* The line as printed; to be freed. */
+/* The line as printed; the caller frees it. */
 static char *line_of(const char *label, double done, double error, double left_s,
                      int columns)
 {
@@ -51,7 +51,7 @@ static void times_are_as_people_say_them(void **state)
           80);
 }
 
-/* The bar gives way first, then the end of the name. */
+/* First the bar is shortened, then the end of the name. */
 static void a_narrow_terminal_has_a_shorter_line(void **state)
 {
     (void)state;
@@ -62,8 +62,8 @@ static void a_narrow_terminal_has_a_shorter_line(void **state)
           41);
 }
 
-/* Whatever is in the name, the line ends before the terminal does: in its last column
- * the next character would begin another line, which is not wiped. */
+/* For any name the line ends before the last column of the terminal: there the next
+ * character would begin a new line, which is not erased. */
 static void the_line_never_fills_the_terminal(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* floor_scene.h - the least scene that light can be traced in: a grey triangle. */
+/* floor_scene.h - the smallest scene in which light can be traced: a grey triangle. */
 #ifndef PP_TESTS_FUZZ_FLOOR_SCENE_H
 #define PP_TESTS_FUZZ_FLOOR_SCENE_H
 
@@ -6,7 +6,7 @@
 #include "simulate/scene/light_scene_of_description.h"
 #include "tests/fuzz/must.h"
 
-/* Made at the first call and kept for all later ones. */
+/* Created at the first call and kept for later calls. */
 static inline const struct pp_light_scene *floor_scene(void)
 {
     static struct pp_light_scene *scene;

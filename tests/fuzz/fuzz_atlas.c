@@ -1,5 +1,5 @@
-/* fuzz_atlas.c - a file of the atlas, of any bytes, is read, or refused with a reason;
- * every row that is read has the number of a room.
+/* fuzz_atlas.c - a file of the atlas with any bytes is read, or rejected with a reason;
+ * every row read has the number of a room.
  *
  * For clang's libFuzzer (make fuzz).
  */

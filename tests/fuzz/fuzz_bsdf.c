@@ -1,8 +1,8 @@
-/* fuzz_bsdf.c - a WINDOW XML file of any bytes is read as a measured pane, or refused with
- * a reason.
+/* fuzz_bsdf.c - a WINDOW XML file with any bytes is read as a measured pane, or
+ * rejected with a reason.
  *
- * For clang's libFuzzer (make fuzz). The sanitizers find wrong accesses and leaks; besides,
- * the pane's shares are numbers, and samples go through it.
+ * For clang's libFuzzer (make fuzz). The sanitizers find invalid accesses and leaks.
+ * The shares of the pane must also be numbers, and samples must pass through it.
  */
 #include <math.h>
 #include <stdint.h>

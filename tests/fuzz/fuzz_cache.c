@@ -1,8 +1,9 @@
-/* fuzz_cache.c - whatever bytes a cache file holds, reading it ends well.
+/* fuzz_cache.c - a cache file with any bytes is read safely.
  *
- * For clang's libFuzzer (make fuzz). A file is refused with a reason and leaves
- * the cache empty, or it is taken, and the irradiance at any point is a number. Head and
- * checksum are put right first in half of the files: else all would be refused there.
+ * For clang's libFuzzer (make fuzz). A file is rejected with a reason and leaves the
+ * cache empty, or it is accepted, and the irradiance at any point is a number. In half
+ * of the files header and checksum are corrected first; otherwise nearly all would be
+ * rejected there.
  */
 #include <math.h>
 #include <stdbool.h>

@@ -1,9 +1,9 @@
-/* fuzz_checkpoint.c - whatever bytes a checkpoint holds, taking it up ends well.
+/* fuzz_checkpoint.c - a checkpoint with any bytes is read safely.
  *
- * For clang's libFuzzer (make fuzz). A file is refused with a reason and changes
- * nothing of the picture; or it is taken, would be written again to the byte, and the
- * picture goes on from there to its end. Head and checksum are put right first in half
- * of the files: else all would be refused there.
+ * For clang's libFuzzer (make fuzz). A file is rejected with a reason and does not
+ * change the picture; or it is accepted, would be written again identically, and the
+ * picture is completed from it. In half of the files header and checksum are corrected
+ * first; otherwise nearly all would be rejected there.
  */
 #include <stdbool.h>
 #include <stdlib.h>
@@ -16,8 +16,8 @@
 #include "tests/fuzz/floor_scene.h"
 #include "tests/fuzz/must.h"
 
-/* Bytes of the head with its counts, as checkpoint.c writes it, and of the checksum at
- * the end. */
+/* Bytes of the header with its counts, as written by checkpoint.c, and of the checksum
+ * at the end. */
 enum { MARKED = 8 + 4 + 8 + 3 * 4, TAIL = 8 };
 
 /* A picture of 2 by 2 tiles, the right and lower ones narrower. */

@@ -1,9 +1,9 @@
-/* fuzz_epw.c - whatever bytes a weather file holds, reading it ends well, and so does
- * what is made of it.
+/* fuzz_epw.c - a weather file with any bytes is read safely, and so is the light
+ * calculated from it.
  *
- * For clang's libFuzzer (make fuzz). The sanitizers say what is wrong; besides, a file
- * is refused with a reason, or taken; then its light is finite and not negative, and
- * its curve falls.
+ * For clang's libFuzzer (make fuzz). The sanitizers report errors. A file must also be
+ * rejected with a reason, or accepted; then its light is finite and not negative, and
+ * its curve decreases.
  */
 #include <math.h>
 #include <stdbool.h>

@@ -1,5 +1,5 @@
-/* fuzz_formula.c - the sum of a formula (--formula), of any bytes, is parsed, or refused
- * with a column and a reason; a sum that is parsed can be evaluated.
+/* fuzz_formula.c - the sum of a formula (--formula) with any bytes is parsed, or
+ * rejected with a column and a reason; a parsed sum can be evaluated.
  *
  * For clang's libFuzzer (make fuzz).
  */

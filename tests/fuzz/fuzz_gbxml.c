@@ -1,7 +1,7 @@
-/* fuzz_gbxml.c - a gbXML file of any bytes is imported, or refused with a reason.
+/* fuzz_gbxml.c - a gbXML file with any bytes is imported, or rejected with a reason.
  *
- * For clang's libFuzzer (make fuzz). The sanitizers find wrong accesses and leaks; besides,
- * every room file that is written can be read.
+ * For clang's libFuzzer (make fuzz). The sanitizers find invalid accesses and leaks.
+ * Every room file written must also be valid.
  */
 #include <stdint.h>
 #include <stdlib.h>

@@ -1,8 +1,8 @@
-/* fuzz_hdr.c - whatever bytes a Radiance picture holds, reading it ends well.
+/* fuzz_hdr.c - a Radiance picture with any bytes is read safely.
  *
- * For clang's libFuzzer (make fuzz). The sanitizers say what is wrong; besides, a file
- * is refused with a reason, or taken; then its numbers are finite and not negative, and
- * it is written and read again as it was.
+ * For clang's libFuzzer (make fuzz). The sanitizers report errors. A file must also be
+ * rejected with a reason, or accepted; then its numbers are finite and not negative,
+ * and unchanged after it is written and read again.
  */
 #include <math.h>
 #include <stdbool.h>
@@ -18,7 +18,8 @@ static size_t numbers_of(const struct pp_picture *picture)
     return 3 * (size_t)picture->width * (size_t)picture->height;
 }
 
-/* Written pictures read back to the same numbers: they are middles of steps already. */
+/* Written pictures read back to the same numbers, which are already centres of
+ * steps. */
 static void write_and_read(const struct pp_picture *picture,
                            const struct pp_hdr_notes *notes)
 {

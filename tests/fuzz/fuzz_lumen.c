@@ -1,5 +1,5 @@
-/* fuzz_lumen.c - a file of lumen tables of any bytes is read, or refused with a line and
- * a reason.
+/* fuzz_lumen.c - a file of lumen tables with any bytes is read, or rejected with a line
+ * and a reason.
  *
  * For clang's libFuzzer (make fuzz).
  */

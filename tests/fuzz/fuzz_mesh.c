@@ -1,8 +1,8 @@
-/* fuzz_mesh.c - whatever bytes an OBJ or a DXF file holds, reading it ends well.
+/* fuzz_mesh.c - an OBJ or DXF file with any bytes is read safely.
  *
- * For clang's libFuzzer (make fuzz). The sanitizers say what is wrong; besides, a file is
- * refused with a reason, or its triangles have corners that there are, with finite places.
- * The first byte says which of the two it is.
+ * For clang's libFuzzer (make fuzz). The sanitizers report errors. A file must also be
+ * rejected with a reason, or the corners of its triangles must exist and have finite
+ * coordinates. The first byte selects the format.
  */
 #include <math.h>
 #include <stdlib.h>

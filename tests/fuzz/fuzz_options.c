@@ -1,5 +1,5 @@
-/* fuzz_options.c - the options that all commands on a room have, in words of any bytes, a
- * line each, are read, or refused with a reason; a sky that is accepted is a valid one.
+/* fuzz_options.c - options shared by all commands on a room, one per line, with any
+ * bytes, are read, or rejected with a reason; a sky that is accepted is valid.
  *
  * For clang's libFuzzer (make fuzz).
  */
@@ -33,7 +33,7 @@ static const struct pp_option_group groups[] = {
     {"Output", pp_room_output_options, AT(room)},
     {0}};
 
-/* Sets the sky of a room to the text of --sky, unless that names a file. */
+/* Sets the sky of a room to the text of --sky, unless this is the name of a file. */
 static void set_sky(const char *text)
 {
     static const char xml[] =

@@ -1,5 +1,5 @@
-/* fuzz_points.c - sensor points (--points) of any bytes are read, or refused with the form
- * that is expected; all points that are read are finite, but for a missing height.
+/* fuzz_points.c - sensor points (--points) with any bytes are read, or rejected with
+ * the expected form; all points read are finite, except for a missing height.
  *
  * For clang's libFuzzer (make fuzz).
  */

@@ -1,11 +1,11 @@
-/* fuzz_rad.c - whatever bytes a Radiance scene holds, reading it ends well, and what
- * was read can be written and read back.
+/* fuzz_rad.c - a Radiance scene with any bytes is read safely, and can be written and
+ * read back.
  *
- * For clang's libFuzzer (make fuzz). The sanitizers say what is wrong; besides, a scene
- * is refused with a reason that has file and line, or taken; then its shapes name
- * materials that there are, and as many come back. A file that a line names is the
- * second half of the fuzzer's bytes: linked with --wrap=pp_read_file, nothing else is
- * read. It may name itself.
+ * For clang's libFuzzer (make fuzz). The sanitizers report errors. A scene must also be
+ * rejected with a reason that contains file and line, or accepted; then the materials
+ * of its shapes exist, and the same number of shapes is read back. An included file is
+ * the second half of the fuzzer's bytes: with --wrap=pp_read_file no other file is
+ * read. It may include itself.
  */
 #include <stdbool.h>
 #include <stdint.h>
@@ -64,7 +64,7 @@ static void write_and_read(const struct pp_scene_description *scene)
     free(text);
 }
 
-/* "FILE:LINE: " and more. */
+/* True if the message begins with "FILE:LINE: ". */
 static bool has_line(const char *message)
 {
     for (const char *at = strchr(message, ':'); at; at = strchr(at + 1, ':')) {

@@ -1,7 +1,7 @@
-/* fuzz_room.c - whatever bytes a room file holds, reading and resolving it ends well.
+/* fuzz_room.c - a room file with any bytes is read and resolved safely.
  *
- * For clang's libFuzzer (make fuzz). The sanitizers say what is wrong; besides, a file
- * is refused with a reason, or taken.
+ * For clang's libFuzzer (make fuzz). The sanitizers report errors. A file must also be
+ * rejected with a reason, or accepted.
  */
 #include <stdbool.h>
 #include <stdint.h>
@@ -11,7 +11,7 @@
 #include "model/room/room_light.h"
 #include "tests/fuzz/must.h"
 
-/* The worlds of the building's rooms, as it is now. */
+/* Creates the worlds of the building's rooms. */
 static void make_worlds(struct pp_building *building, struct pp_mistakes *mistakes)
 {
     struct pp_error err = {PP_OK, ""};

@@ -1,5 +1,5 @@
-/* fuzz_values.c - a CSV file of another program's values, of any bytes, is read, or
- * refused with a reason; all values that are read are finite and not negative.
+/* fuzz_values.c - a CSV file of another program's values with any bytes is read, or
+ * rejected with a reason; all values read are finite and not negative.
  *
  * For clang's libFuzzer (make fuzz).
  */
@@ -9,7 +9,7 @@
 #include "tests/fuzz/must.h"
 #include "tests/fuzz/whole_file.h"
 
-/* Places the values in a room, which is not done here. */
+/* Replaces the function that places the values in a room, which is not tested here. */
 void pp_study_room_set_points(struct pp_study_room *room, struct pp_receiver *receivers,
                               int count)
 {

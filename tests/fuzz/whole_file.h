@@ -1,5 +1,5 @@
-/* whole_file.h - a target whose reader opens one file: linked with --wrap=pp_read_file,
- * that file is the fuzzer's bytes. */
+/* whole_file.h - for targets whose reader opens one file: with --wrap=pp_read_file,
+ * this file consists of the fuzzer's bytes. */
 #ifndef PP_TESTS_FUZZ_WHOLE_FILE_H
 #define PP_TESTS_FUZZ_WHOLE_FILE_H
 

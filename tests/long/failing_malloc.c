@@ -1,8 +1,8 @@
-/* failing_malloc.c - fails one allocation of the program, for long_allocations.sh.
+/* failing_malloc.c - makes one allocation of the program fail, for long_allocations.sh.
  *
- * A library for LD_PRELOAD, with glibc. Only calls from the program itself count, not
- * those of other libraries. FAIL_AT: number of the allocation that fails, from 0;
- * without it none fails, and the number of all is written to the file COUNT_TO.
+ * A library for LD_PRELOAD, with glibc. Only calls by the program itself count, not
+ * those by other libraries. FAIL_AT: number of the allocation that fails, from 0.
+ * Without FAIL_AT none fails, and the total number is written to the file COUNT_TO.
  */
 #define _GNU_SOURCE
 #include <errno.h>

@@ -1,6 +1,6 @@
 /* long_cache_examples.c - daylight factors of every room of examples/ by the irradiance
- * cache, with its default options, are those of the path tracer with a standard error of
- * 0.2 %. */
+ * cache with its default options agree with the path tracer at a standard error of 0.2
+ * %. */
 #include <glob.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -45,7 +45,8 @@ static void read_all(const struct pp_world *world,
     pp_light_scene_destroy(scene);
 }
 
-/* The mean within 1 %, every point within 3 % or 0.005 % daylight factor. */
+/* Asserts the mean within 1 %, and every point within 3 % or a daylight factor of 0.005
+ * %. */
 static void compare(const struct pp_world *world, const struct pp_outside_light *light)
 {
     int n = world->receiver_count;

@@ -1,7 +1,7 @@
-/* long_photons.c - photons and paths differ by as many standard errors as two independent
- * simulations of one truth do: in every room of examples/ and in 200 random ones. And
- * photons lie within their standard errors as often as Student's t says, over 60 seeds of
- * 12 rooms. */
+/* long_photons.c - photons and paths differ by as many standard errors as two
+ * independent simulations of the same value: in every room of examples/ and in 200
+ * random rooms. Photons are within their standard errors as often as Student's t
+ * predicts, over 60 seeds of 12 rooms. */
 #include <glob.h>
 
 #include "tests/lib/photons_of.h"
@@ -9,7 +9,7 @@
 
 enum { MOST_POINTS = 6 };
 
-/* Differences in standard errors of the two together. */
+/* Differences in units of their common standard error. */
 struct differences {
     int count, beyond_2, beyond_5;
     double sum, squares;
@@ -41,9 +41,9 @@ static void compare(struct differences *all, const struct pp_world *world,
     free(found);
 }
 
-/* Student's t with 31 degrees of freedom has been taken for a normal distribution by its
- * variance: 5 % are beyond two, within three of the count's own deviations. What points
- * of a room share makes their paths' errors go together: the mean's has room for four. */
+/* Student's t with 31 degrees of freedom is approximated by a normal distribution with
+ * its variance: 5 % are beyond two, within three standard deviations of the count.
+ * Paths to points of one room are correlated, so the mean has a tolerance of four. */
 static void assert_normal(const struct differences *all)
 {
     double n = all->count, mean = all->sum / n;

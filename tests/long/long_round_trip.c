@@ -1,5 +1,5 @@
-/* long_round_trip.c - rooms as Radiance scenes have the same daylight factors, the
- * tracer's to 0.6 % and the scene's to 1.8 %. */
+/* long_round_trip.c - rooms exported as Radiance scenes have the same daylight factors:
+ * those of the tracer to 0.6 %, those of the scene to 1.8 %. */
 #include "tests/lib/round_trip.h"
 
 static void every_example_is_as_light_when_it_comes_back(void **state)

@@ -1,6 +1,7 @@
-/* long_standard_errors.c - the standard errors that are stated are true: 60 seeds in each
- * of eight rooms, for points, cached points, sensors and pixels. The truth is a long run
- * with a seed of its own, whose error counts too. A table, and limits on all together. */
+/* long_standard_errors.c - the stated standard errors are correct: 60 seeds in each of
+ * eight rooms, for points, cached points, sensors and pixels. The reference is a long
+ * run with another seed, whose error is included. Prints a table and tests the
+ * totals. */
 #include <stdio.h>
 #include <string.h>
 
@@ -42,7 +43,7 @@ static const struct {
 
 static int all_count, all_within_1, all_within_2;
 
-/* One line of the table. */
+/* One row of the table. */
 struct line {
     int count, within_1, within_2, nothing;
 };
@@ -89,7 +90,7 @@ static void of_points(const char *name, const struct pp_world *world,
     end(name, "points", &line);
 }
 
-/* With one cache for all seeds: what it has wrong is in the truth too. */
+/* One cache for all seeds, so that its systematic error is also in the reference. */
 static void cached(const struct pp_world *world, const struct pp_light_scene *scene,
                    const struct pp_opening_store *store,
                    struct pp_irradiance_cache *cache,
@@ -169,7 +170,7 @@ static void of_sensors(const char *name, const struct pp_sensor *list,
     end(name, "sensors", &line);
 }
 
-/* A picture of 3 x 3 pixels, its green channel. */
+/* A picture of 3 x 3 pixels; its green channel. */
 static void draw(const struct pp_light_scene *scene,
                  const struct pp_environment *outside, int samples, int randomisations,
                  uint64_t seed, double values[9], double errors[9])
@@ -210,8 +211,8 @@ static void of_pixels(const char *name, const struct pp_light_scene *scene,
     end(name, "pixels", &line);
 }
 
-/* A closed box of 4 x 6 x 2.8 m with a lamp under its ceiling, and on its floor a sheet
- * of that material. */
+/* A closed box of 4 x 6 x 2.8 m with a lamp below its ceiling, and a sheet of this
+ * material on its floor. */
 static struct pp_light_scene *lamp_room(struct pp_material sheet)
 {
     struct pp_scene_description room;
@@ -226,7 +227,7 @@ static struct pp_light_scene *lamp_room(struct pp_material sheet)
     return pp_test_built(&room);
 }
 
-/* Sensors and pixels where there is a lamp, straight, in a mirror, in polished metal. */
+/* Sensors and pixels lit by a lamp directly, by a mirror and by polished metal. */
 static void of_lamps(void)
 {
     static const struct pp_vec3 up = {0.0, 0.0, 1.0}, down = {0.0, 0.0, -1.0};

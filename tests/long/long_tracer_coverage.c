@@ -1,5 +1,5 @@
-/* long_tracer_coverage.c - the tracer's values lie within their standard errors as often
- * as Student's t says: over 200 rooms, and over 60 seeds of 12 rooms. */
+/* long_tracer_coverage.c - the tracer's values are within their standard errors as
+ * often as Student's t predicts: over 200 rooms, and over 60 seeds of 12 rooms. */
 #include "tests/lib/random_rooms.h"
 
 static void assert_true_errors(struct pp_coverage c)
@@ -24,8 +24,8 @@ static void daylight_factors_lie_within_their_errors_over_seeds(void **state)
     assert_true_errors(pp_test_df_coverage(2000, 12, 60));
 }
 
-/* Averages of rooms that slits light at 0.5 %: one in ten may have over twice that error,
- * none over five times. */
+/* Averages of rooms lit by slits, with a target error of 0.5 %: one in ten may have
+ * more than twice this error, none more than five times. */
 static void the_error_asked_for_is_about_reached_behind_slits(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* test_print.c - a report printed as JSON, CSV and text: all hold the same numbers,
+/* test_print.c - a report printed as JSON, CSV and text: all contain the same numbers,
  * in per cent. */
 #include "tests/lib/near.h"
 
@@ -12,8 +12,8 @@
 
 enum { POINTS = 3 };
 
-/* A room of one window, with awkward names and numbers; the methods' values are made
- * up. */
+/* A room with one window, with unusual names and numbers; the values of the methods are
+ * made up. */
 struct fixture {
     struct pp_vec3 floor[4], window_wall[4], window[4];
     struct pp_surface surfaces[2];
@@ -122,7 +122,7 @@ static enum pp_status as_text(const struct pp_results *results, FILE *out,
     return pp_df_text(results, 80, true, out, err);
 }
 
-/* The text that a printer prints; to be freed. */
+/* Text printed by a printer; the caller frees it. */
 static char *printed(struct fixture *f, printer *print)
 {
     char *text;
@@ -137,7 +137,7 @@ static char *printed(struct fixture *f, printer *print)
     return text;
 }
 
-/* The object at a path of keys; digits are places in an array. */
+/* The object at a path of keys; digits are indices into an array. */
 static struct json_object *at(struct json_object *object, const char *path)
 {
     char copy[128];
@@ -167,7 +167,7 @@ static void json_holds_per_cent_under_the_names_of_the_contract(void **state)
     assert_string_equal(json_object_get_string(at(room, "sky")), "overcast");
     assert_string_equal(json_object_get_string(at(room, "room")), awkward_name);
     assert_int_equal(json_object_array_length(at(room, "points")), POINTS);
-    /* Ten digits: the last may be off by a half. */
+    /* Ten digits: half a unit of the last one. */
     assert_relative(json_object_get_double(at(room, "points/0/sc/exact/value")), 30.0,
                     0.0);
     assert_relative(json_object_get_double(at(room, "points/1/df/exact+bre/value")),
@@ -237,7 +237,8 @@ static void json_of_bytes_that_are_no_text_is_still_json(void **state)
     free(text);
 }
 
-/* One record of a CSV file, its fields unquoted into `fields`; the place behind it. */
+/* Parses one record of a CSV file; its unquoted fields go to `fields`. Returns the
+ * position after it. */
 static const char *next_record(const char *text, char fields[20][256], int *count)
 {
     *count = 0;
@@ -280,7 +281,7 @@ static void csv_has_one_record_a_value_and_reads_back(void **state)
         whys += fields[14][0] != '\0';
         assert_true((fields[11][0] == '\0') == (fields[14][0] != '\0'));
     }
-    /* Four columns speak for points, five for the room. */
+    /* Four columns have values for points, five for the room. */
     assert_int_equal(records, 4 * POINTS + 5);
     assert_int_equal(whys, 1);
     free(text);
@@ -304,8 +305,8 @@ static void text_shows_the_traced_value_and_how_far_a_method_is_from_it(void **s
 {
     struct fixture *f = *state;
     char *text = printed(f, as_text);
-    /* 0.31 is 3.3 % above 0.3; 0.021 % rounds up to 0.03 so as never to show too
-     * little. */
+    /* 0.31 is 3.3 % above 0.3; 0.021 % is rounded up to 0.03, so that an error is never
+     * understated. */
     assert_non_null(strstr(text, "30.00 \xc2\xb1"
                                  "0.03"));
     assert_non_null(strstr(text, "+3.3"));

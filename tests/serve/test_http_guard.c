@@ -1,4 +1,5 @@
-/* test_http_guard.c - which requests are let in: names of the server, origins, tokens. */
+/* test_http_guard.c - requests that are accepted: names of the server, origins,
+ * tokens. */
 #include "tests/lib/near.h"
 
 #include "serve/http/http_guard.h"
@@ -25,7 +26,7 @@ static void a_loopback_server_goes_by_its_own_names_only(void **state)
     assert_false(pp_http_guard_host(&own, NULL));
 }
 
-/* A name can be made to point to the server by anybody, a number cannot. */
+/* Anybody can make a name point to the server, but not a number. */
 static void an_open_server_goes_by_numbers_and_the_names_it_was_given(void **state)
 {
     (void)state;
@@ -80,7 +81,7 @@ static void requests_of_other_pages_are_refused(void **state)
                      421);
 }
 
-/* A form of any page can post these types without being asked. */
+/* A form on any web page can post these types without a preflight request. */
 static void types_that_a_form_can_post_are_refused(void **state)
 {
     (void)state;

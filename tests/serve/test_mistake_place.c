@@ -1,4 +1,4 @@
-/* test_mistake_place.c - a mistake is marked where its attribute or element stands. */
+/* test_mistake_place.c - a mistake is marked at its attribute or element. */
 #include "tests/lib/near.h"
 
 #include "serve/answers/base64.h"
@@ -25,7 +25,7 @@ static void assert_place(int line, const char *sentence, struct pp_mistake_place
     assert_int_equal(place.end_column, wanted.end_column);
 }
 
-/* Columns are counted in characters, of which one has two bytes here. */
+/* Columns are counted in characters, one of which has two bytes here. */
 static void an_attribute_is_found_with_its_value(void **state)
 {
     (void)state;
@@ -57,7 +57,7 @@ static void other_mistakes_are_of_their_line(void **state)
     assert_place(99, "beyond the end", (struct pp_mistake_place){8, 1, 8, 1});
 }
 
-/* FIPS 180-4's own examples, of one block and two, and the empty text. */
+/* Examples of FIPS 180-4, of one block and two, and the empty text. */
 static void hashes_are_the_standards(void **state)
 {
     (void)state;

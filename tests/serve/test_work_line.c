@@ -1,4 +1,4 @@
-/* test_work_line.c - clients take turns, whatever each of them has in the line. */
+/* test_work_line.c - clients take turns, however many tasks each has in the queue. */
 #include "tests/lib/near.h"
 
 #include <time.h>
@@ -7,12 +7,12 @@
 
 enum { TASKS_MOST = 32 };
 
-/* Clients in the order in which their tasks were begun. */
+/* Clients in the order in which their tasks started. */
 static struct {
     pthread_mutex_t lock;
     uint64_t clients[TASKS_MOST];
     int count;
-    bool is_held; /* the worker has begun to hold */
+    bool is_held; /* the worker is waiting */
     bool is_open;
 } seen = {.lock = PTHREAD_MUTEX_INITIALIZER};
 
@@ -29,7 +29,7 @@ static bool note_client(struct pp_task *task)
     return true;
 }
 
-/* Holds the one worker until all have joined the line. */
+/* Keeps the only worker busy until all tasks are in the queue. */
 static bool hold(struct pp_task *task)
 {
     (void)task;
@@ -57,7 +57,7 @@ static void join(struct pp_server *server, struct pp_work_line *line, pp_task_ru
     pp_task_release(task);
 }
 
-/* Gives the worker a task that holds it, and returns when it does. */
+/* Gives the worker a task that keeps it busy, and returns when the task has started. */
 static void hold_worker(struct pp_server *server, struct pp_work_line *line)
 {
     bool is_held = false;

@@ -1,5 +1,5 @@
-/* test_document_sheets.c - a document on sheets of A4, read back by pdftotext: nothing is lost
- * or cut between sheets. */
+/* test_document_sheets.c - a document on sheets of A4, read back with pdftotext: no
+ * text is lost or cut between sheets. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -9,7 +9,7 @@
 
 enum { SHEETS_MOST = 24 };
 
-/* The text of each sheet. */
+/* Text of each sheet. */
 struct sheets {
     char *text;
     const char *list[SHEETS_MOST];
@@ -35,7 +35,7 @@ static char *pdf_of(const struct pp_document *document,
     return pdf;
 }
 
-/* No sheets where there is no pdftotext. */
+/* No sheets if pdftotext is not installed. */
 static struct sheets sheets_of(const struct pp_document *document)
 {
     struct sheets sheets = {0};
@@ -59,7 +59,7 @@ static bool has(const struct sheets *sheets, int sheet, const char *words)
     return strstr(sheets->list[sheet], words) != NULL;
 }
 
-/* Number of sheets with it. */
+/* Number of sheets that contain the words. */
 static int sheets_with(const struct sheets *sheets, const char *words)
 {
     int count = 0;
@@ -114,9 +114,9 @@ static void a_table_over_sheets_repeats_its_head_and_has_every_row_once(void **s
     free(sheets.text);
 }
 
-/* Whatever stands above it, a heading has on its sheet what it heads: a paragraph, or the
- * head of a table and its first row. */
-/* Some of these tables would be one row too long for a sheet. */
+/* For any text above it, a heading is on the same sheet as the text that follows: a
+ * paragraph, or the header of a table and its first row. */
+/* Some of these tables are one row too long for a sheet. */
 static void the_last_row_of_a_table_is_not_alone_on_a_sheet(void **state)
 {
     (void)state;
@@ -211,8 +211,8 @@ static void a_chapter_begins_a_sheet_unless_most_of_one_is_left(void **state)
     }
 }
 
-/* Names and cells without end, of one word or of many, and more columns than there is room
- * for, stay on their sheets. */
+/* Very long names and cells, of one word or many, and more columns than fit stay on
+ * their sheets. */
 static void what_is_too_long_is_broken_or_cut_and_never_lost_off_the_sheet(void **state)
 {
     (void)state;

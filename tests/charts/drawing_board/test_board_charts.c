@@ -1,5 +1,5 @@
-/* test_board_charts.c - the diagrams of the drawing board on paper: what is drawn is
- * what the methods count, and where the scales say. */
+/* test_board_charts.c - the printed diagrams of the drawing board: they show the
+ * squares and dots that the methods count, at the positions of their scales. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,8 +17,8 @@
 #include "tests/lib/room_of.h"
 #include "tests/lib/strokes.h"
 
-/* cairo writes coordinates to 1/1000 of a point or finer; lines to a tenth of a mm are
- * asked for. */
+/* cairo writes coordinates to 1/1000 of a point or finer; lines must be accurate to a
+ * tenth of a millimetre. */
 #define PAPER_MM 0.02
 
 static const char two_sides[] =
@@ -50,7 +50,7 @@ static double value_of(const struct pp_world *world,
     return value;
 }
 
-/* The file that a drawing makes; to be freed. */
+/* The file of a drawing; the caller frees it. */
 static char *finished(struct pp_canvas *canvas, size_t *length)
 {
     const unsigned char *bytes;
@@ -112,7 +112,7 @@ static struct pp_pepper_pot_sheet blank_pepper_pot(bool upright)
     return sheet;
 }
 
-/* Is there an upright stroke at x with an end at y? */
+/* True if a vertical stroke at x has an end at y. */
 static bool has_upright(const struct strokes *strokes, double x, double y)
 {
     for (int i = 0; i < strokes->count; i++) {
@@ -135,8 +135,8 @@ static bool has_level(const struct strokes *strokes, double x, double y)
     return false;
 }
 
-/* The frame of the only panel: the rectangle that is as wide as the widest level stroke
- * that has uprights at both its ends. */
+/* Frame of the only panel: the rectangle as wide as the longest horizontal stroke that
+ * has vertical strokes at both ends. */
 static struct stroke frame_of(const struct strokes *strokes)
 {
     struct stroke best = {0};
@@ -156,11 +156,11 @@ static struct stroke frame_of(const struct strokes *strokes)
     return best;
 }
 
-/* --- tests ---------------------------------------------------------------------------
- */
+/* --- tests
+ * --------------------------------------------------------------------------- */
 
-/* Above each diagram stands the face that it is of: a wall by its name, a ceiling that has
- * none. */
+/* The heading of each diagram names its surface: a wall by its name, or a ceiling
+ * without one. */
 static void a_panel_is_headed_by_its_wall_or_ceiling(void **state)
 {
     (void)state;
@@ -209,7 +209,7 @@ static void sheets_sum_up_to_what_the_methods_give(void **state)
                 1e-13);
     assert_near(pots.external, value_of(world, &light, PP_ERC, "pepper-pot"), 1e-13);
     assert_true(waldram.external > 0.0 && pots.external > 0.0);
-    /* South with glass, east without. */
+    /* The south window is glazed, the east window is not. */
     assert_int_equal(waldram.count, 2);
     assert_int_equal(waldram.panels[0].count, 2);
     assert_true(waldram.panels[0].glazed && !waldram.panels[1].glazed);
@@ -222,7 +222,7 @@ static void sheets_sum_up_to_what_the_methods_give(void **state)
                 for (int k = 0; k < piece->square_count; k++)
                     tenths += piece->squares[k].tenths;
                 assert_near(tenths / 10.0, piece->counted, 1e-9);
-                /* The outline drawn has the squares' area. */
+                /* The drawn outline has the area of the squares. */
                 assert_near(pp_region_area(&piece->outline), piece->counted, 0.6);
             }
     pp_board_sheets_waldram_clear(&waldram);
@@ -255,7 +255,7 @@ static void the_ruler_is_100_mm_long_and_has_its_millimetres(void **state)
     pp_board_sheets_pepper_pot_clear(&sheet);
 }
 
-/* A metre 1.5 m away, at a viewing distance of 36 mm, is 24 mm long. */
+/* A metre at a distance of 1.5 m is 24 mm long for a viewing distance of 36 mm. */
 static void metres_are_drawn_as_the_viewing_distance_over_theirs(void **state)
 {
     (void)state;
@@ -280,7 +280,7 @@ static void metres_are_drawn_as_the_viewing_distance_over_theirs(void **state)
     pp_board_sheets_pepper_pot_clear(&sheet);
 }
 
-/* Without glass azimuth is even and altitude as 3 sin^2 + 4 sin^3. */
+/* Without glass the scale is linear in azimuth, and 3 sin^2 + 4 sin^3 in altitude. */
 static void waldram_scale_marks_stand_where_the_formula_puts_them(void **state)
 {
     (void)state;
@@ -290,7 +290,7 @@ static void waldram_scale_marks_stand_where_the_formula_puts_them(void **state)
     struct strokes strokes = strokes_of(svg);
     struct stroke frame = frame_of(&strokes);
     double width = frame.x1 - frame.x0, height = frame.y1 - frame.y0;
-    /* 36 squares by 500/36, all square. */
+    /* 36 by 500/36 equal squares. */
     assert_near(height / width, 500.0 / 36.0 / 36.0, 1e-4);
     for (int degree = 0; degree <= 180; degree += 5)
         if (!has_upright(&strokes, frame.x0 + degree / 180.0 * width, frame.y1))
@@ -305,8 +305,8 @@ static void waldram_scale_marks_stand_where_the_formula_puts_them(void **state)
     pp_board_sheets_waldram_clear(&sheet);
 }
 
-/* Azimuth by its sine, altitude as 3 (gamma + sin gamma cos gamma) + 4 (1 - cos^3 gamma)
- * over the 3 pi/2 + 4 of the zenith; 36 squares by 11. */
+/* Azimuth is scaled by its sine, altitude by 3 (gamma + sin gamma cos gamma) + 4 (1 -
+ * cos^3 gamma) divided by its value at the zenith, 3 pi/2 + 4; 36 squares by 11. */
 static void marks_for_an_upright_receiver_stand_where_the_formula_puts_them(
     void **state)
 {
@@ -337,7 +337,7 @@ static void marks_for_an_upright_receiver_stand_where_the_formula_puts_them(
     pp_board_sheets_waldram_clear(&sheet);
 }
 
-/* The altitude with that share of the upright diagram's height, by Newton's rule. */
+/* Altitude at this share of the height of the vertical diagram, by Newton's method. */
 static double sheet_altitude(double share)
 {
     double g = 0.5;
@@ -350,7 +350,7 @@ static double sheet_altitude(double share)
     return g;
 }
 
-/* Is there a pair of slanting strokes that cross at x, y? */
+/* True if two slanting strokes cross at x, y. */
 static bool has_cross(const struct strokes *strokes, double x, double y)
 {
     int found = 0;
@@ -364,8 +364,8 @@ static bool has_cross(const struct strokes *strokes, double x, double y)
     return found == 2;
 }
 
-/* On A4 a unit is 10 mm; its ticks along the wall are the only strokes that run down
- * from one line at that distance. */
+/* On A4 a unit is 10 mm. The ticks along the wall are the only strokes that extend
+ * downwards from one line at this spacing. */
 static void crosses_of_the_indicator_stand_at_the_cotangents_of_their_altitudes(
     void **state)
 {
@@ -391,8 +391,8 @@ static void crosses_of_the_indicator_stand_at_the_cotangents_of_their_altitudes(
         }
     }
     assert_false(isnan(x0));
-    /* Fourth ring, 7/16 of the diagram's height: 3 (g + sin g cos g) + 4 (1 - cos^3 g) is
-     * 7/16 of 3 pi/2 + 4 at 27.0875 degrees. */
+    /* Fourth ring, 7/16 of the height of the diagram: 3 (g + sin g cos g) + 4 (1 -
+     * cos^3 g) is 7/16 of 3 pi/2 + 4 at 27.0875 degrees. */
     double cot = 1.0 / tan(sheet_altitude(7.0 / 16.0));
     assert_near(cot, 1.0 / tan(27.0875 * PP_RAD), 1e-5);
     for (int j = 0; j < PP_SKYLIGHT_RAYS; j++) {
@@ -405,8 +405,9 @@ static void crosses_of_the_indicator_stand_at_the_cotangents_of_their_altitudes(
     pp_skylight_indicator_sheet_clear(&sheet);
 }
 
-/* A facade 8 m off where it is nearest, 25 degrees to the right, and 5.5 m higher than the
- * eye: its edge's points are at (8 sin 25 + s cos 25, 8 cos 25 - s sin 25, 5.5). */
+/* A façade 8 m away at its nearest point, 25 degrees to the right, and 5.5 m higher
+ * than the eye: the points of its edge are (8 sin 25 + s cos 25, 8 cos 25 - s sin 25,
+ * 5.5). */
 static void droop_lines_of_an_inclined_facade_are_its_edge_as_seen(void **state)
 {
     (void)state;
@@ -425,7 +426,7 @@ static void droop_lines_of_an_inclined_facade_are_its_edge_as_seen(void **state)
             double x = 8.0 * sin(delta) + s * cos(delta);
             double y = 8.0 * cos(delta) - s * sin(delta);
             double phi = atan2(x, y), gamma = atan2(5.5, hypot(x, y));
-            /* The same law for the eight levels: tangents in proportion. */
+            /* The eight levels have tangents in a constant ratio. */
             double ratio = tan(gamma) / tan(top);
             int near = 90 + (int)floor(phi / PP_RAD);
             if (fabs(phi) > 88.0 * PP_RAD)
@@ -451,14 +452,14 @@ static void droop_lines_pass_through_known_directions(void **state)
     struct pp_waldram_sheet sheet = blank_waldram(false);
     const struct pp_waldram_panel *panel = sheet.panels;
     assert_int_equal(panel->parallel.count, 8);
-    /* Parallel, 50 degrees at the middle: at 60 degrees of azimuth tan 50 cos 60. */
+    /* Parallel, 50 degrees in the middle: at an azimuth of 60 degrees tan 50 cos 60. */
     const struct pp_curve *curve = &panel->parallel.list[4];
     assert_near(curve->level, 50.0 * PP_RAD, 1e-12);
     double s = sin(atan(tan(50.0 * PP_RAD) * cos(60.0 * PP_RAD)));
     double y = s * s * (3.0 + 4.0 * s) / 7.0 * panel->top;
     assert_near(curve->xy[150][0], panel->azimuth[60], 1e-9);
     assert_near(curve->xy[150][1], y, 1e-9);
-    /* Perpendicular: nothing straight ahead, its level at 90 degrees. */
+    /* Perpendicular: zero straight ahead, its level at 90 degrees. */
     curve = &panel->across.list[4];
     assert_near(curve->xy[90][1], 0.0, 1e-12);
     assert_near(curve->xy[180][1], panel->altitude[50], 1e-9);
@@ -490,8 +491,8 @@ static void two_drawings_are_the_same_bytes(void **state)
     pp_board_sheets_pepper_pot_clear(&pot);
 }
 
-/* Are there two level strokes of that width, one that height above the other? The last
- * side of a closed path has no stroke of its own. */
+/* True if two horizontal strokes have this width and are this far apart. The last side
+ * of a closed path has no stroke of its own. */
 static bool has_rectangle(const struct strokes *strokes, double width, double height)
 {
     for (int i = 0; i < strokes->count; i++) {
@@ -510,8 +511,8 @@ static bool has_rectangle(const struct strokes *strokes, double width, double he
     return false;
 }
 
-/* Windows of 1.9 by 1.6 and 1.7 by 1.3 m, 1.7 m away, under dots to be seen from 31 mm;
- * without a viewing distance all is at the scale of the plan. */
+/* Windows of 1.9 by 1.6 and 1.7 by 1.3 m, 1.7 m away, with dots for a viewing distance
+ * of 31 mm. Without a viewing distance everything has the scale of the plan. */
 static void exercises_have_their_elevations_at_the_diagrams_scale(void **state)
 {
     (void)state;
@@ -530,7 +531,7 @@ static void exercises_have_their_elevations_at_the_diagrams_scale(void **state)
         size_t length;
         char *svg = finished(canvas, &length);
         struct strokes strokes = strokes_of(svg);
-        /* A3 holds the room at 1:75, and its elevations. */
+        /* A3 has space for the room and its elevations at 1:75. */
         double near = i ? 1000.0 / 75.0 : 31.0 / 1.7;
         assert_true(has_rectangle(&strokes, 1.9 * near, 1.6 * near));
         assert_true(has_rectangle(&strokes, 1.7 * near, 1.3 * near));
@@ -544,7 +545,7 @@ static void exercises_have_their_elevations_at_the_diagrams_scale(void **state)
     pp_world_destroy(world);
 }
 
-/* Behind the window's plane and in it, by way of a room with a bay. */
+/* Points behind the plane of the window and in it, in a room with a bay. */
 static void a_window_that_is_not_seen_has_no_squares_and_no_dots(void **state)
 {
     (void)state;
@@ -614,8 +615,8 @@ static void what_the_diagrams_do_not_hold_is_refused_with_why(void **state)
                      PP_BAD_INPUT);
 }
 
-/* Where the published dots end, a rooflight or a clear sky, the sheet has the dots of
- * `pepper-pot-sky`, and their sums; without its windows it is that of an exercise. */
+/* For a rooflight or a clear sky, for which there are no published dots, the sheet has
+ * the dots of `pepper-pot-sky` and their sums. Without windows it is an exercise. */
 static void dots_for_any_sky_and_slope_sum_up_to_their_method(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_brs_table_chart.c - the BRS table on paper: where it is read for a window, and what
- * the readings come to. */
+/* test_brs_table_chart.c - the printed BRS table: the positions of a window's readings,
+ * and their result. */
 #include <string.h>
 
 #include "charts/drawing_board/brs_table_chart.h"
@@ -12,7 +12,7 @@
 
 #define PAPER_MM 0.05
 
-/* An SVG of the sheet; to be freed. */
+/* SVG of the sheet; the caller frees it. */
 static char *drawn(const struct pp_brs_sheet *sheet, enum pp_paper paper)
 {
     const struct pp_sheet on = {
@@ -28,7 +28,7 @@ static char *drawn(const struct pp_brs_sheet *sheet, enum pp_paper paper)
     return copy;
 }
 
-/* The table's outer frame: the four widest, tallest strokes' corners. */
+/* Outer frame of the table: the corners of the widest and tallest four strokes. */
 static struct stroke frame_of(const struct strokes *strokes)
 {
     struct stroke tallest = {0}, frame = {INFINITY, INFINITY, -INFINITY, -INFINITY};
@@ -64,20 +64,20 @@ static bool has_cross(const struct strokes *strokes, double x, double y)
     return level == 1 && upright == 1;
 }
 
-/* h/d 2.5 is halfway from 2.4 (the eighth row, infinity being the first) to 2.6, w/d 1.3
- * halfway from 1.2 (the eleventh column) to 1.4: the cross stands on the corner of those
- * four cells, eight cells down and twelve across, heads counted. */
+/* h/d 2.5 is midway between 2.4 (the eighth row; infinity is the first) and 2.6, w/d
+ * 1.3 midway between 1.2 (the eleventh column) and 1.4. The cross is at the common
+ * corner of these four cells, eight cells down and twelve across, headers included. */
 static void a_reading_stands_between_its_cells_in_proportion(void **state)
 {
     (void)state;
     static const struct {
         enum pp_paper paper;
-        double h, w, down, across; /* cells from the frame's corner */
+        double h, w, down, across; /* in cells from the corner of the frame */
     } rows[] = {
         {PP_PAPER_A5, 2.5, 1.3, 8.0, 12.0},   {PP_PAPER_A4, 2.5, 1.3, 8.0, 12.0},
-        {PP_PAPER_A2, 0.37, 2.3, 26.8, 16.1}, /* 0.3 of a row above 0.4 less; 0.6 of one */
-        {PP_PAPER_A4, 0.05, 0.05, 30.0, 1.0}, /* half a cell out of the last, the first */
-        {PP_PAPER_A3, 10.0, 12.0, 2.0, 20.0}, /* by d/h: halfway from 5 to infinity */
+        {PP_PAPER_A2, 0.37, 2.3, 26.8, 16.1}, /* 0.3 of a row above 0.4; 0.6 of a column */
+        {PP_PAPER_A4, 0.05, 0.05, 30.0, 1.0}, /* half a cell beyond the last row and the first column */
+        {PP_PAPER_A3, 10.0, 12.0, 2.0, 20.0}, /* by d/h: midway between 5 and infinity */
     };
     for (int i = 0; i < 5; i++) {
         double d = 0.6;

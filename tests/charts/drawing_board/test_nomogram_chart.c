@@ -1,6 +1,6 @@
-/* test_nomogram_chart.c - every mark of a nomogram stands where its formula puts it, to
- * 0.1 mm on paper, and a straight-edge on the printed marks gives the formula with its
- * rule to 0.5 %: by the lines of the PDF. */
+/* test_nomogram_chart.c - every mark of a nomogram is where its formula requires, to
+ * 0.1 mm on paper, and a straight-edge on the printed marks gives the result of the
+ * formula to 0.5 %; from the lines of the PDF. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -45,7 +45,7 @@ static char *first_stream(const unsigned char *bytes, size_t length)
     return text;
 }
 
-/* Lines of a PDF page drawn by cairo: one matrix turns it over, then m and l. */
+/* Lines of a PDF page drawn by cairo: a matrix reverses y, then m and l. */
 static struct drawing *lines_of(const struct pp_nomogram_sheet *sheet,
                                 enum pp_paper paper)
 {
@@ -61,7 +61,8 @@ static struct drawing *lines_of(const struct pp_nomogram_sheet *sheet,
     char *text = first_stream(bytes, length);
     struct drawing *drawing = calloc(1, sizeof *drawing);
     double matrix[6] = {1, 0, 0, 1, 0, 0}, at[2] = {0, 0}, v[6] = {0};
-    int count = 0; /* of numbers before a word; lines may break anywhere */
+    int count =
+        0; /* number of numbers before an operator; line breaks may be anywhere */
     for (char *word = strtok(text, " \n"); word; word = strtok(NULL, " \n")) {
         char *end;
         double number = strtod(word, &end);
@@ -72,7 +73,7 @@ static struct drawing *lines_of(const struct pp_nomogram_sheet *sheet,
             continue;
         }
         if (strcmp(word, "cm") == 0 && count == 6 && v[3] < 0.0)
-            memcpy(matrix, v, sizeof matrix); /* the page's own */
+            memcpy(matrix, v, sizeof matrix); /* matrix of the page */
         if ((strcmp(word, "m") == 0 || strcmp(word, "l") == 0) && count == 2) {
             double xy[2] = {(matrix[0] * v[4] + matrix[4]) * 25.4 / 72.0,
                             height - (matrix[3] * v[5] + matrix[5]) * 25.4 / 72.0};
@@ -111,7 +112,7 @@ struct frame {
     double left, right, top, bottom;
 };
 
-/* A is the longest upright line farthest left. */
+/* Scale A is the longest vertical line, farthest to the left. */
 static struct frame frame_of(const struct drawing *drawing)
 {
     struct frame frame = {INFINITY, -INFINITY, 0.0, 0.0};
@@ -130,7 +131,7 @@ static struct frame frame_of(const struct drawing *drawing)
     return frame;
 }
 
-/* The formula's functions, once more. */
+/* The functions of the formula, written independently. */
 static double function_of(enum pp_nomogram_quantity quantity, double number)
 {
     double k = PP_NOMOGRAM_K, b = number * PP_RAD;
@@ -190,7 +191,7 @@ static void marks_stand_where_the_formula_puts_them(void **state)
                     if (!level(line) || fabs(line->from[0] - x) > 0.05
                         || fabs(line->to[0] - x) > 6.0 || fabs(line->to[0] - x) < 0.5)
                         continue;
-                    /* In order, as they were drawn. */
+                    /* In the order in which they were drawn. */
                     assert_true(found < scale->count);
                     double u =
                         function_of(stem->quantity, scale->marks[found++].number);
@@ -207,7 +208,7 @@ static void marks_stand_where_the_formula_puts_them(void **state)
         }
 }
 
-/* The mark of that number on paper. */
+/* Position of the mark of this number on paper. */
 static bool mark_at(const struct drawing *drawing, const struct frame *frame,
                     const struct pp_nomogram_sheet *sheet, int stem, double number,
                     double xy[2])
@@ -232,8 +233,8 @@ static bool mark_at(const struct drawing *drawing, const struct frame *frame,
     return false;
 }
 
-/* The number that a scale of components has at a height on paper, between the marks
- * about it in logarithms, as it is ruled. */
+/* Number on a scale of components at a height on paper, interpolated between marks in
+ * the logarithm, as on the scale. */
 static double number_at(const struct drawing *drawing, const struct frame *frame,
                         const struct pp_nomogram_sheet *sheet, int stem, double y)
 {
@@ -253,7 +254,7 @@ static double number_at(const struct drawing *drawing, const struct frame *frame
     return NAN;
 }
 
-/* Lines from mark to mark of the printed sheet, crossed with the printed scale. */
+/* Lines between marks of the printed sheet, intersected with the printed scale. */
 static void straight_edge_on_the_printed_marks_gives_the_formula(void **state)
 {
     (void)state;
@@ -299,7 +300,8 @@ static const char corner_room[] =
     "glazing='clear-double' maintenance='0.8'/>"
     "<skyline wall='south' angle='27'/><point x='3' y='2'/></room>";
 
-/* The chart's foot has the results of `df`; windows alike share their lines. */
+/* The notes below the chart have the results of `df`; equal windows share their
+ * lines. */
 static void sum_of_a_room_is_that_of_the_method(void **state)
 {
     (void)state;
@@ -320,9 +322,10 @@ static void sum_of_a_room_is_that_of_the_method(void **state)
             PP_OK);
         assert_int_equal(sheet.window_count, 3);
         assert_int_equal(sheet.windows[2].alike, 2);
-        /* On II the stems stand closer, and E has coarser divisions. */
+        /* On nomogram II the scales are closer together, and E has coarser
+         * divisions. */
         assert_relative(sheet.component, average->average.value, kind ? 0.02 : 1e-12);
-        /* The rule and the reading: 15 %. */
+        /* The rule and the reading together: 15 %. */
         if (kind)
             assert_relative(sheet.further, least->points[0].value, 0.15);
         else

@@ -1,5 +1,5 @@
-/* test_protractor_chart.c - every mark of a protractor's scales stands where its
- * formula puts it, to 0.1 mm on paper: by the paths of the SVG. */
+/* test_protractor_chart.c - every mark of a protractor's scales is where its formula
+ * requires, to 0.1 mm on paper; from the paths of the SVG. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -71,8 +71,8 @@ static struct line *lines_of(const char *svg, int *count)
     return lines;
 }
 
-/* Distance, on paper, of a mark under this altitude from the place where the scale reads
- * the nearest tenth of a per cent; by quadrature. */
+/* Distance on paper between the mark at this altitude and the position where the scale
+ * has the nearest tenth of a per cent; by quadrature. */
 static double off_mm(const struct pp_protractor *protractor, double angle, double arc)
 {
     double share = pp_protractor_scale_primary(protractor, angle);
@@ -104,7 +104,8 @@ static void marks_stand_where_the_formula_puts_them(void **state)
         int count;
         struct line *lines = lines_of(svg, &count);
 
-        /* The base: the one line of the rim's radius, level, from the centre. */
+        /* Base: the only horizontal line from the centre with the length of the
+         * radius. */
         double centre[2] = {NAN, NAN};
         for (int i = 0; i < count; i++)
             if (fabs(lines[i].from[0] - lines[i].to[0] - radius) < 0.01
@@ -138,7 +139,7 @@ static void marks_stand_where_the_formula_puts_them(void **state)
     }
 }
 
-/* Points of the lines of correction factors, against quadrature. */
+/* Points on the lines of correction factors, compared with quadrature. */
 static void lines_of_factors_stand_where_the_formula_puts_them(void **state)
 {
     (void)state;
@@ -197,8 +198,8 @@ static void any_glass_slope_and_even_sky_has_a_protractor(void **state)
     assert_non_null(strstr(err.message, "azimuth"));
 }
 
-/* Windows of every size and format, one after the other or together; the figures are the
- * method's. */
+/* Windows of every size and paper format, one after the other or together; the figures
+ * are those of the method. */
 static void a_worked_chart_is_drawn_of_windows_and_rooflights(void **state)
 {
     (void)state;

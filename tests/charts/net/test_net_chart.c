@@ -1,5 +1,6 @@
-/* test_net_chart.c - a model's net: every panel is its face to scale and not mirrored, none
- * lies on another, each edge is folded or glued, and what is drawn has the edges' lengths. */
+/* test_net_chart.c - the net of a model: every panel is its surface to scale and not
+ * mirrored, panels do not overlap, each edge is folded, glued or taped, and drawn edges
+ * have the correct lengths. */
 #include "charts/net/net_chart.h"
 
 #include <string.h>
@@ -58,8 +59,7 @@ static const char covered[] =
 
 static const struct {
     const char *room;
-    double mm_per_m,
-        area[2]; /* small areas cut the faces, large ones leave one piece */
+    double mm_per_m, area[2]; /* areas; panels larger than a small area are cut */
     int pieces_least, pieces_most;
 } cases[] = {
     {box, 20.0, {390.0, 500.0}, 1, 1},      {box, 50.0, {260.0, 340.0}, 4, 6},
@@ -91,8 +91,8 @@ static double area_of(const struct pp_net_panel *panel)
     return sum;
 }
 
-/* Distances between all corners are the room's; a mirrored panel would have a negative
- * area; parts have together what the face has. */
+/* Distances between all corners are those of the room. A mirrored panel would have a
+ * negative area. The parts of a surface have its total area. */
 static void panels_are_their_faces_to_scale_seen_from_inside(void **state)
 {
     (void)state;
@@ -158,7 +158,7 @@ static void pieces_are_as_many_as_they_must_and_lie_within_their_sheets(void **s
     }
 }
 
-/* Folded edges coincide; of any other number one side has a tab, or it is taped. */
+/* Folded edges coincide; any other edge has a tab on one side, or is taped. */
 static void every_edge_is_folded_glued_or_taped(void **state)
 {
     (void)state;
@@ -190,7 +190,7 @@ static void every_edge_is_folded_glued_or_taped(void **state)
             assert_true(!plain || tabs);
             folds += folded;
         }
-        /* A tree: each panel of a piece but the first hangs on one fold. */
+        /* A tree: each panel of a piece except the first is attached by one fold. */
         assert_int_equal(folds / 2, net.panels.count - net.piece_count);
         pp_net_unfold_clear(&net);
         pp_world_destroy(world);
@@ -235,7 +235,7 @@ static void no_panel_lies_on_another(void **state)
     pp_clipper_destroy(clipper);
 }
 
-/* A stroke of that length; dashes are one stroke in an SVG. */
+/* True if a stroke has this length; a dashed line is one stroke in an SVG. */
 static bool has_length(const struct strokes *strokes, double length)
 {
     for (int i = 0; i < strokes->count; i++) {
@@ -257,7 +257,7 @@ static void assert_drawn(const struct strokes *strokes,
     }
 }
 
-/* Draws a net and reads its strokes; to be freed. */
+/* Draws a net and reads its strokes; the caller frees them. */
 static struct strokes drawn(const struct pp_world *world, double scale,
                             enum pp_paper paper)
 {
@@ -279,8 +279,9 @@ static struct strokes drawn(const struct pp_world *world, double scale,
     return strokes;
 }
 
-/* A door's sides and head are drawn, as its foot is the wall's; a dado's upper edges
- * beside it, which end at the wall's corners and at the door. */
+/* Sides and head of a door are drawn, since its lower edge is that of the wall; of a
+ * dado, the upper edges beside the door, which end at the corners of the wall and at
+ * the door. */
 static void doors_and_dados_are_drawn_to_scale_without_the_edges_of_their_wall(
     void **state)
 {

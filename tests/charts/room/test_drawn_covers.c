@@ -1,5 +1,5 @@
-/* test_drawn_covers.c - doors and dados in plans and sections of a room: at their places, to
- * scale, and no dado in a plan. */
+/* test_drawn_covers.c - doors and dados in plans and sections of a room: their
+ * positions, to scale; plans show no dado. */
 #include "charts/room/room_plan.h"
 #include "charts/section/room_section.h"
 #include "charts/sheet/canvas.h"
@@ -18,8 +18,8 @@ static const char covers[] =
 
 enum what { PLAN, SECTION };
 
-/* The strokes of a drawing; to be freed. *mm_per_m is its scale, x0 and y0 the place on
- * paper of the south-west corner, or of the floor at the south wall. */
+/* Strokes of a drawing; the caller frees them. *mm_per_m is its scale; x0 and y0 are
+ * the position on paper of the south-west corner, or of the floor at the south wall. */
 static struct strokes drawn(enum what what, const char *parts, double *mm_per_m,
                             double *x0, double *y0)
 {
@@ -70,7 +70,8 @@ static struct strokes drawn(enum what what, const char *parts, double *mm_per_m,
     return strokes;
 }
 
-/* Is there a stroke between two heights (or places across) `near` mm beside a place? */
+/* True if there is a stroke between two heights (or lateral positions), at most `near`
+ * mm from x. */
 static bool upright(const struct strokes *strokes, double x, double low, double high,
                     double near)
 {
@@ -84,8 +85,9 @@ static bool upright(const struct strokes *strokes, double x, double low, double 
     return false;
 }
 
-/* The jambs of the door go from the wall's inner face to the facade, 0.33 m outside; left
- * is counted from the west, as the south wall is seen from outside. */
+/* The jambs of the door extend from the inner face of the wall to the façade, 0.33 m
+ * outside. `left` is measured from the west, since the south wall is seen from
+ * outside. */
 static void a_door_opens_its_wall_in_a_plan(void **state)
 {
     (void)state;
@@ -112,8 +114,8 @@ static void a_dado_is_not_in_a_plan(void **state)
     free(without.list);
 }
 
-/* The section at x = 2.9 cuts the door at s = 0 and the dado at s = 5.41: each has upright
- * lines from the floor to its height, near the face. */
+/* The section at x = 2.9 cuts the door at s = 0 and the dado at s = 5.41: each has
+ * vertical lines from the floor to its height, close to the wall. */
 static void a_section_cuts_a_door_and_a_dado(void **state)
 {
     (void)state;

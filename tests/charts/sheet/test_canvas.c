@@ -1,4 +1,4 @@
-/* test_canvas.c - sheets of paper as files: true scale, the same bytes, titles, errors. */
+/* test_canvas.c - drawings as files: true scale, identical bytes, titles, errors. */
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -25,7 +25,7 @@ static struct pp_canvas *canvas_of(enum pp_chart_format format, enum pp_paper pa
     return canvas;
 }
 
-/* A rule from (20, 30) to (120, 30), 100 mm long, clipped and under words. */
+/* A line from (20, 30) to (120, 30), 100 mm long, clipped and below text. */
 static void draw_rule(struct pp_canvas *canvas)
 {
     cairo_t *cr = pp_canvas_cairo(canvas);
@@ -42,7 +42,7 @@ static void draw_rule(struct pp_canvas *canvas)
     pp_lettering_draw(cr, &style, &text, 20, 40, "Working plane");
 }
 
-/* The whole file as a string of its own. */
+/* The whole file as a string. */
 static char *file_of(struct pp_canvas *canvas, size_t *length)
 {
     const unsigned char *bytes;
@@ -80,8 +80,7 @@ static void svg_is_in_millimetres_and_a_rule_is_100_mm_long(void **state)
                      2);
     assert_near(width, 210.0, 0.0);
     assert_near(height, 297.0, 0.0);
-    /* The rule's path in units of the view box, which may be transformed by a matrix.
-     */
+    /* Path of the line in units of the view box, which a matrix may transform. */
     const char *path = strstr(svg, "stroke:rgb");
     assert_non_null(path);
     double x0, y0, x1, y1, xx = 1.0, yy = 1.0, zero;
@@ -105,7 +104,7 @@ static void svg_has_a_title_a_description_and_ids_of_its_own(void **state)
     assert_non_null(strstr(svg, "Caf\xc3\xa9 &lt;north&gt; &amp; \"south\"</title>"));
     assert_non_null(strstr(svg, ">A rule &amp; words</desc>"));
 
-    /* Every id begins with the prefix, and every reference is to one of the ids. */
+    /* Every id begins with the prefix, and every reference is to one of these ids. */
     char prefix[11];
     assert_int_equal(sscanf(strstr(svg, "id=\""), "id=\"%10s", prefix), 1);
     int ids = 0, references = 0;
@@ -137,7 +136,8 @@ static void svg_has_a_title_a_description_and_ids_of_its_own(void **state)
     free(svg);
 }
 
-/* Cairo packs the page's drawing in 1.16 by deflate; the page's size stands plain. */
+/* Cairo 1.16 compresses the drawing on a page by deflate; the size of the page is plain
+ * text. */
 static void pdf_page_is_of_true_size(void **state)
 {
     (void)state;
@@ -174,7 +174,7 @@ static void pdf_rule_is_100_mm_long(void **state)
     (void)state;
     size_t length;
     char *pdf = drawn(PP_CHART_PDF, &length);
-    /* pdftocairo writes what it reads as SVG in points. */
+    /* pdftocairo writes an SVG in points. */
     char *svg = through("pdftocairo -svg -noshrink -origpagesizes %s - 2>/dev/null",
                         pdf, length);
     free(pdf);
@@ -215,7 +215,7 @@ static void the_same_drawing_gives_the_same_bytes(void **state)
     for (int i = 0; i < 3; i++) {
         size_t once, twice;
         char *first = drawn(formats[i], &once);
-        /* Another canvas in between shifts cairo's own numbers. */
+        /* Another canvas in between changes the numbers that cairo assigns. */
         pp_canvas_destroy(canvas_of(PP_CHART_SVG, PP_PAPER_A5, true));
         char *second = drawn(formats[i], &twice);
         assert_int_equal(once, twice);
@@ -225,7 +225,7 @@ static void the_same_drawing_gives_the_same_bytes(void **state)
     }
 }
 
-/* IHDR holds the size at bytes 16 to 23, pHYs comes next. */
+/* IHDR has the size at bytes 16 to 23, followed by pHYs. */
 static void a_drawing_that_lacks_a_part_is_no_file(void **state)
 {
     (void)state;
@@ -334,9 +334,8 @@ static void only_pdf_has_several_sheets(void **state)
     pp_canvas_destroy(canvas);
 }
 
-/* A drawing of its own size that is to be placed: a rule of 100 mm from (20, 30) on, lines in
- * a clip, from its edges on, that go back to where they began, and one that reaches beyond
- * the sheet. */
+/* A drawing to be placed on a sheet: a line of 100 mm from (20, 30), closed lines
+ * within a clip that begins at its edges, and a line that extends beyond the sheet. */
 static struct pp_canvas *canvas_to_place(void)
 {
     const struct pp_sheet sheet = {
@@ -368,7 +367,7 @@ static struct pp_canvas *canvas_to_place(void)
     return canvas;
 }
 
-/* Wherever it is placed. */
+/* A placed drawing is not converted to pixels. */
 static void a_placed_drawing_is_no_picture_of_pixels(void **state)
 {
     (void)state;
@@ -402,7 +401,7 @@ static void a_placed_drawing_keeps_its_scale_and_its_words(void **state)
     free(pdf);
     if (!svg || !text)
         skip();
-    /* Rules of 100 mm, the placement to the nearest point, and words that are words. */
+    /* Lines of 100 mm, placement to the nearest point, and text stored as text. */
     int rules = 0;
     for (const char *at = svg; (at = strstr(at, " d=\"M ")) != NULL; at++) {
         double x0, y0, x1, y1, scale = 1.0, zero;
@@ -432,7 +431,8 @@ static void a_drawing_to_be_placed_is_no_file(void **state)
     assert_int_equal(pp_canvas_finish(drawing, &bytes, &length, &err), PP_BAD_INPUT);
     assert_non_null(strstr(err.message, "placed"));
 
-    /* Nor is what lacks a part made whole by being placed. */
+    /* A drawing that is incomplete for lack of memory is also incomplete after it is
+     * placed. */
     struct pp_canvas *sheet = canvas_of(PP_CHART_PDF, PP_PAPER_A4, false);
     pp_canvas_lacks_memory(pp_canvas_cairo(drawing));
     pp_canvas_place(sheet, drawing, 0.0, 0.0);

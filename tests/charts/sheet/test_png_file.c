@@ -1,4 +1,4 @@
-/* test_png_file.c - the file has the pixels of the drawing, and its resolution. */
+/* test_png_file.c - PNG files have the pixels of the drawing, and its resolution. */
 #include "tests/lib/near.h"
 
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 
 enum { WIDTH = 301, HEIGHT = 203 };
 
-/* Lines, words, a fill without edges that fall on pixels, and one of every colour. */
+/* Lines, text, a fill without edges on pixel borders, and one fill of every colour. */
 static void draw(cairo_surface_t *surface)
 {
     cairo_t *cr = cairo_create(surface);
@@ -85,7 +85,7 @@ static void the_bands_have_the_pixels_of_the_whole(void **state)
     cairo_surface_destroy(whole);
 }
 
-/* 40 million white pixels, 160 MB of them in memory. */
+/* 40 million white pixels need 160 MB of memory. */
 static void a_blank_sheet_is_a_small_file(void **state)
 {
     (void)state;
@@ -104,8 +104,8 @@ static void a_blank_sheet_is_a_small_file(void **state)
     pp_bytes_clear(&png);
 }
 
-/* The pixels of an image with transparency come back as they were,
- * and the resolution stands in the file in dots a metre. */
+/* The pixels of an image with transparency are unchanged, and the file has the
+ * resolution in dots per metre. */
 static void transparency_and_resolution_are_in_the_file(void **state)
 {
     (void)state;
@@ -131,7 +131,8 @@ static void transparency_and_resolution_are_in_the_file(void **state)
     pp_bytes_clear(&png);
 
     assert_int_equal(pp_png_file_of_image(&png, image, 0.0), CAIRO_STATUS_SUCCESS);
-    assert_null(memmem(png.list, png.count, "pHYs", 4)); /* a picture without a size */
+    assert_null(
+        memmem(png.list, png.count, "pHYs", 4)); /* a picture without a physical size */
     pp_bytes_clear(&png);
     cairo_surface_destroy(image);
 }

@@ -1,5 +1,5 @@
-/* test_overlay_chart.c - what lies on an overlay stands where the lens draws it, to a tenth
- * of a millimetre. */
+/* test_overlay_chart.c - elements of an overlay are where the lens projects them, to a
+ * tenth of a millimetre. */
 #include "charts/sky/overlay_chart.h"
 
 #include <string.h>
@@ -10,14 +10,14 @@
 
 enum { DOTS = 1000 };
 
-/* The lenses' rules, by the angle from the zenith in degrees; R = 1. */
+/* Projections of the lenses by the angle from the zenith in degrees; R = 1. */
 static double radius_of(enum pp_lens lens, double angle)
 {
     double t = angle * PP_RAD;
     switch (lens) {
-    case PP_LENS_EQUISOLID: /* areas as solid angles: 1 - cos */
+    case PP_LENS_EQUISOLID: /* areas proportional to solid angles: 1 - cos */
         return sqrt(1.0 - cos(t));
-    case PP_LENS_STEREOGRAPHIC: /* tan(t/2) by sine and cosine */
+    case PP_LENS_STEREOGRAPHIC: /* tan(t/2) from sine and cosine */
         return sin(t) / (1.0 + cos(t));
     case PP_LENS_ORTHOGRAPHIC:
         return sqrt(1.0 - cos(t) * cos(t));
@@ -43,8 +43,8 @@ static struct strokes drawn(const struct pp_overlay *overlay, enum pp_paper pape
     return strokes;
 }
 
-/* The middle: between N's and S's ticks, E's and W's: the outermost strokes that are
- * upright or level and begin on the circle. */
+/* Centre: between the ticks of north and south, and of east and west. These are the
+ * outermost vertical and horizontal strokes that begin on the circle. */
 static void find_middle(const struct strokes *strokes, double radius, double middle[2])
 {
     for (int i = 0; i < strokes->count; i++) {
@@ -64,7 +64,8 @@ static void find_middle(const struct strokes *strokes, double radius, double mid
     fail_msg("there is no middle");
 }
 
-/* Middles of the crosses, each drawn on white first: every other pair. */
+/* Centres of the crosses. Each is drawn on a white cross, so every other pair
+ * counts. */
 static int find_crosses(const struct strokes *strokes, double (*xy)[2], int most)
 {
     int count = 0;
@@ -107,14 +108,14 @@ static void dots_stand_where_the_lens_draws_their_directions(void **state)
         int high = 0;
         for (int i = 0; i < DOTS; i++) {
             double r = radius * radius_of(lens, 90.0 - dots[i].altitude / PP_RAD);
-            /* North up, east on the left. */
+            /* North is up, east on the left. */
             assert_near(xy[i][0], middle[0] - r * sin(dots[i].bearing), 0.05);
             assert_near(xy[i][1], middle[1] - r * cos(dots[i].bearing), 0.05);
             high += hypot(xy[i][0] - middle[0], xy[i][1] - middle[1])
                     < radius * radius_of(lens, 60.0);
         }
-        /* Above 30 degrees there are (3 (1 - 1/4) + 4 (1 - 1/8))/7 of the light; counting
-         * whole rings misses half of one, of some 75 dots. */
+        /* Above 30 degrees there are (3 (1 - 1/4) + 4 (1 - 1/8))/7 of the light. Whole
+         * rings have an error of half a ring, out of about 75 dots each. */
         assert_near(high, 821.4, 38.0);
         free(strokes.list);
     }
@@ -129,7 +130,7 @@ static bool has_end(const struct strokes *strokes, double x, double y, double wi
     return false;
 }
 
-/* At noon the sun stands 51.5 degrees less its declination from the zenith, in the south;
+/* At noon the sun is 51.5 degrees less its declination from the zenith, in the south;
  * at the equinox it rises due east, on the left. */
 static void sun_paths_pass_through_known_directions(void **state)
 {
@@ -146,7 +147,7 @@ static void sun_paths_pass_through_known_directions(void **state)
         find_middle(&strokes, radius, middle);
         for (int i = 0; i < 3; i++) {
             double r = radius * radius_of(lens, 51.5 - declinations[i]);
-            /* 0.3 degrees of declination on 21 March. */
+            /* A declination of 0.3 degrees on 21 March. */
             assert_true(
                 has_end(&strokes, middle[0], middle[1] + r, i == 1 ? 0.7 : 0.1));
         }

@@ -1,4 +1,5 @@
-/* test_depth_profile.c - points at one distance from the window wall are one step. */
+/* test_depth_profile.c - points at the same distance from the window wall form one
+ * step. */
 #include "charts/year/depth_profile.h"
 
 #include <math.h>

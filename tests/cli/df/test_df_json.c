@@ -1,5 +1,5 @@
-/* The JSON of `pepperpot df` as other programs get it: valid, under the names of the
- * contract, and whole even when the run was interrupted. Runs ./pepperpot. */
+/* test_df_json.c - the JSON of `pepperpot df`: valid, with the documented names, and
+ * complete even if the run was interrupted. Runs ./pepperpot. */
 #include "tests/lib/near.h"
 
 #include <json.h>
@@ -11,7 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* The path of an example; to be freed. */
+/* Path of an example; the caller frees it. */
 static char *example(const char *name)
 {
     char *path;
@@ -20,7 +20,7 @@ static char *example(const char *name)
     return path;
 }
 
-/* A run of ./pepperpot with its standard output at `out`. */
+/* A process of ./pepperpot whose standard output is `out`. */
 struct run {
     pid_t pid;
     FILE *out;
@@ -33,7 +33,7 @@ static struct run start(const char *const words[])
     pid_t pid = fork();
     assert_true(pid >= 0);
     if (pid == 0) {
-        /* As started from a terminal, whatever runs the tests. */
+        /* As in a terminal, however the tests are started. */
         signal(SIGINT, SIG_DFL);
         signal(SIGTERM, SIG_DFL);
         dup2(ends[1], STDOUT_FILENO);
@@ -48,7 +48,7 @@ static struct run start(const char *const words[])
     return (struct run){pid, fdopen(ends[0], "r")};
 }
 
-/* The output of a run parsed as strict JSON; *status as waitpid gives it. */
+/* Output of a process, parsed as strict JSON; *status as from waitpid. */
 static struct json_object *finish(struct run run, int *status)
 {
     char *text = NULL;
@@ -91,8 +91,8 @@ static double value_of(struct json_object *components, const char *component,
         member(member(member(components, component), method), key));
 }
 
-/* Every entry is an object with a value, or with null and why; `se` goes with traced
- * values and no others. */
+/* Asserts that every entry is an object with a value, or with null and `why`; only
+ * simulated values have `se`. */
 static void check_entries(struct json_object *components)
 {
     static const char *const names[] = {"sc", "erc", "irc", "df"};
@@ -164,8 +164,8 @@ static void the_deep_room_has_every_name_of_the_contract(void **state)
     assert_true(value_of(member(room, "average"), "df", "average-df", "value") > 0.0);
     assert_true(value_of(member(room, "average"), "df", "traced", "se") > 0.0);
 
-    /* A pair is the sum of its parts: numbers of two digits before the point are
-     * printed to half of 1e-8, and two of them differ here. */
+    /* A pair is the sum of its parts: numbers with two digits before the point are
+     * printed to half of 1e-8, and two of them are subtracted here. */
     double sum = value_of(first, "sc", "exact", "value")
                  + value_of(first, "erc", "exact", "value")
                  + value_of(first, "irc", "bre", "value");
@@ -207,7 +207,7 @@ static void several_files_are_an_array_with_their_names(void **state)
     free(other);
 }
 
-/* Does the process catch this signal yet? */
+/* True if the process already catches this signal. */
 static bool catches(pid_t pid, int signal_number)
 {
     char path[64], line[128];
@@ -237,9 +237,9 @@ static double busy_s(pid_t pid)
     return (double)(user + system) / (double)sysconf(_SC_CLK_TCK);
 }
 
-/* Until a simulation is well under way, however slow the machine: it begins when the
- * signals are caught, and has readings long before it has worked for a second. Two
- * minutes of waiting are taken for a run that ended by itself. */
+/* Waits until a simulation has results, on any machine: signals are caught when the
+ * simulation begins, and results exist long before it has worked for a second. After
+ * two minutes the run is assumed to have ended by itself. */
 static void wait_for_simulation(pid_t pid, int signal_number)
 {
     double begun = INFINITY;

@@ -1,5 +1,6 @@
-/* Recomputes the output of --explain: every formula of every method, in every example
- * room, from the figures printed above it, in text and in JSON. Runs ./pepperpot. */
+/* test_explain.c - recalculates the output of --explain: every formula of every method,
+ * in every example room, from the figures printed above it, in text and in JSON. Runs
+ * ./pepperpot. */
 #include "tests/lib/near.h"
 
 #include <glob.h>
@@ -44,13 +45,13 @@ static char *run(const char *const words[])
     return text;
 }
 
-/* ---- one step recomputed ---- */
+/* ---- one step recalculated ---- */
 
-/* An explained sum: the figures printed so far, for the formulae below them. */
+/* An explained calculation: the figures printed so far, for the formulae below them. */
 struct sheet {
     struct figures figures;
-    char of[512]; /* place and method of the sum, for messages */
-    int formulae; /* number of formulae that were recomputed */
+    char of[512]; /* place and method, for messages */
+    int formulae; /* number of formulae recalculated */
 };
 
 static void begin(struct sheet *sheet, const char *of)
@@ -59,10 +60,10 @@ static void begin(struct sheet *sheet, const char *of)
     snprintf(sheet->of, sizeof sheet->of, "%s", of);
 }
 
-/* Recomputes the next step from the figures above it, each known to its printed digits:
- * the printed value must lie in the interval of the formula's results, and the interval
- * must be narrow: 1 %, or ten units of the fourth decimal, the coarsest that figures are
- * printed with. */
+/* Recalculates the next step from the figures above it, each known to its printed
+ * digits. The printed value must be in the interval of the formula's results, and the
+ * interval must be narrow: 1 %, or ten units of the fourth decimal, the coarsest
+ * precision of printed figures. */
 static void recompute(struct sheet *sheet, const char *symbol, const char *formula,
                       struct interval printed)
 {
@@ -98,14 +99,14 @@ static const char *word_of(struct json_object *object, const char *key)
                : "";
 }
 
-/* Ten significant digits are printed, zeros at their end left out. */
+/* Ten significant digits are printed, without trailing zeros. */
 static struct interval json_figure(double value)
 {
     double half = value != 0.0 ? 0.5 * pow(10.0, floor(log10(fabs(value))) - 9.0) : 0.0;
     return (struct interval){value - half, value + half};
 }
 
-/* An entry's steps; the last figure called SC, IRC or DF is the entry's value. */
+/* Steps of an entry; the last figure called SC, IRC or DF is the value of the entry. */
 static void check_entry(struct sheet *sheet, const char *of, struct json_object *entry,
                         const char *total)
 {
@@ -159,8 +160,7 @@ static void check_json(struct sheet *sheet, const char *of, struct json_object *
 
 enum { HEAD = 2, SYMBOL = 6, MORE = 10, WHAT = 15 };
 
-/* The number at the end of a line, before its unit, if it has one; empty where there is
- * none. */
+/* The number at the end of a line, before its unit; empty if there is none. */
 static bool value_of(char digits[32], const char *line)
 {
     const char *end = line + strlen(line);
@@ -180,8 +180,9 @@ static bool value_of(char digits[32], const char *line)
     return has_unit;
 }
 
-/* Recomputes the sums in a report's text: formula lines begin where symbols do and hold
- * " = ", their continuation is indented; the next line ends with the value. */
+/* Recalculates the steps in a report's text: formula lines begin in the column of
+ * symbols and contain " = ", their continuation is indented; the next line ends with
+ * the value. */
 static void check_text(struct sheet *sheet, const char *of, char *text)
 {
     char symbol[32] = "", formula[256] = "", digits[32];
@@ -203,7 +204,7 @@ static void check_text(struct sheet *sheet, const char *of, char *text)
             continue;
         char *equals = strstr(line, " = ");
         if (indent == SYMBOL && equals) {
-            int length = (int)(equals - line) - SYMBOL; /* -1: it has no name */
+            int length = (int)(equals - line) - SYMBOL; /* -1: no symbol */
             snprintf(symbol, sizeof symbol, "%.*s", length > 0 ? length : 0,
                      line + SYMBOL);
             snprintf(formula, sizeof formula, "%s", equals + 3);
@@ -212,7 +213,7 @@ static void check_text(struct sheet *sheet, const char *of, char *text)
             size_t length = strlen(formula);
             snprintf(formula + length, sizeof formula - length, " %s", line + indent);
         } else if (indent == WHAT + 2) {
-            continue; /* further words */
+            continue; /* more words of the meaning */
         } else {
             bool has_unit = value_of(digits, line);
             if (!digits[0])
@@ -221,7 +222,7 @@ static void check_text(struct sheet *sheet, const char *of, char *text)
                 snprintf(symbol, sizeof symbol, "%.*s",
                          indent == SYMBOL ? (int)strcspn(line + SYMBOL, " ") : 0,
                          line + SYMBOL);
-            /* Counted figures, whole or in tenths, are not rounded; a bare 0 is less than
+            /* Counts, whole or in tenths, are not rounded; a plain 0 is less than
              * 1e-7. */
             struct interval printed = figure_as_printed(digits);
             const char *point = strchr(digits, '.');
@@ -238,7 +239,7 @@ static void check_text(struct sheet *sheet, const char *of, char *text)
 
 /* ---- all example rooms ---- */
 
-/* The middle one of a room's reference points, as --points takes it. */
+/* The middle one of a room's reference points, in the format of --points. */
 static void middle_point(char point[64], struct json_object *room)
 {
     struct json_object *points, *at;
@@ -254,7 +255,7 @@ static void middle_point(char point[64], struct json_object *room)
     snprintf(point, 64, "%.9g,%.9g,%.9g", xyz[0], xyz[1], xyz[2]);
 }
 
-/* One room at its middle point, in text and, if so wanted, in JSON. */
+/* One room at its middle point, in text and, if requested, in JSON. */
 static void check_room(struct sheet *sheet, const char *path, struct json_object *room,
                        bool in_json)
 {
@@ -292,8 +293,8 @@ static void check_room(struct sheet *sheet, const char *path, struct json_object
     free(text);
 }
 
-/* Counts the formulae recomputed in a file's rooms; under sanitizers, where a run of the
- * program takes a quarter of a second, in every third. */
+/* Counts the formulae recalculated in a file's rooms; every third room under
+ * sanitizers, where a run of the program takes a quarter of a second. */
 static int check_file(const char *path, bool in_json)
 {
     struct sheet *sheet = calloc(1, sizeof *sheet);
@@ -339,7 +340,7 @@ static void those_of_odd_rooms_do_so_too(void **state)
     assert_true(check_file(path, false) >= PP_SIZED(100, 100, 25));
 }
 
-/* ---- the evaluator itself ---- */
+/* ---- tests of the evaluator ---- */
 
 static const struct figures some = {
     3, {{"A", {2.0, 2.0}}, {"R_fw", {0.5, 0.5}}, {"A", {4.0, 4.0}}}};
@@ -381,7 +382,7 @@ static void senseless_formulae_and_unknown_symbols_are_found(void **state)
     }
 }
 
-/* Widths worked by hand: 0.1 x 10.5 - 0.1 x 9.5 ... of (10 +- 0.5)(1 +- 0.1). */
+/* Widths calculated by hand: 0.1 x 10.5 - 0.1 x 9.5 ... of (10 +- 0.5)(1 +- 0.1). */
 static void intervals_hold_all_that_rounding_allows(void **state)
 {
     (void)state;

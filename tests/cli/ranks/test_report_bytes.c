@@ -1,6 +1,5 @@
-/* test_report_bytes.c - a report's columns on their way to another process: the same numbers
- * to the bit, the same sentences, and nothing of what was cut short.
- */
+/* test_report_bytes.c - a report's columns sent to another process: identical numbers
+ * and texts; truncated data are rejected. */
 #include "cli/ranks/report_bytes.h"
 
 #include <stdlib.h>
@@ -15,7 +14,8 @@ static struct pp_report empty(void)
     return (struct pp_report){.receiver_count = POINTS, .finished = true};
 }
 
-/* A column with a figure that no decimal gives, one that is not there, and an average. */
+/* A column with a figure that has no exact decimal form, a missing figure, and an
+ * average. */
 static struct pp_report made(void)
 {
     struct pp_report report = empty();
@@ -62,7 +62,7 @@ static void numbers_arrive_to_the_bit_and_sentences_whole(void **state)
     pp_report_clear(&got);
 }
 
-/* Whichever of the two was stopped. */
+/* A report is unfinished if either of its parts was stopped. */
 static void what_was_stopped_anywhere_is_unfinished(void **state)
 {
     (void)state;
@@ -81,7 +81,7 @@ static void what_was_stopped_anywhere_is_unfinished(void **state)
     }
 }
 
-/* Files of every length but the whole. */
+/* Data truncated at every length. */
 static void bytes_that_are_cut_short_are_refused(void **state)
 {
     (void)state;
@@ -103,7 +103,7 @@ static void bytes_that_are_cut_short_are_refused(void **state)
     pp_report_clear(&sent);
 }
 
-/* A report of three points has no place for columns of two. */
+/* A report of three points does not accept columns of two. */
 static void columns_of_another_room_are_refused(void **state)
 {
     (void)state;

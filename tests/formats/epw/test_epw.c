@@ -1,4 +1,4 @@
-/* Weather files, good and bad: what is read of them, and what is said of them. */
+/* test_epw.c - weather files: the values read, and the messages for wrong files. */
 #include "tests/lib/near.h"
 
 #include "tests/lib/made_epw.h"
@@ -7,7 +7,7 @@
 
 static char said[1200];
 
-/* The file in the making is taken. */
+/* Reads the file, which must be valid. */
 static struct pp_epw *taken(struct made_epw *made)
 {
     struct pp_epw *epw = epw_made(made, said, sizeof said);
@@ -16,7 +16,8 @@ static struct pp_epw *taken(struct made_epw *made)
     return epw;
 }
 
-/* The file is refused with a message that begins with its line and has those words. */
+/* Asserts that the file is rejected with a message for this line that contains these
+ * words. */
 static void assert_refused(struct made_epw *made, int line, const char *words)
 {
     char wanted[16];
@@ -35,7 +36,7 @@ static void done(struct made_epw *made, struct pp_epw *epw)
     epw_end(made);
 }
 
-/* ---- what is read ---- */
+/* ---- valid files ---- */
 
 static void a_record_has_its_place_time_and_values(void **state)
 {
@@ -65,7 +66,7 @@ static void a_record_has_its_place_time_and_values(void **state)
     done(&made, epw);
 }
 
-/* Every code that stands for a value that is not there, and an empty field. */
+/* Every code for a missing value, and an empty field. */
 static void what_is_missing_is_not_a_number(void **state)
 {
     (void)state;
@@ -85,8 +86,8 @@ static void what_is_missing_is_not_a_number(void **state)
     done(&made, epw);
 }
 
-/* DOS, old Macintosh; a byte order mark; blank lines; DOS's end of file; none at the
- * end of the last line. */
+/* Line ends of DOS and old Macintosh; a byte order mark; blank lines; DOS's end of
+ * file; no end of the last line. */
 static void lines_end_as_they_like(void **state)
 {
     (void)state;
@@ -115,7 +116,7 @@ static void lines_end_as_they_like(void **state)
     }
 }
 
-/* The line of a mistake is the same however lines end. */
+/* The line number of a mistake does not depend on the kind of line ends. */
 static void lines_are_counted_however_they_end(void **state)
 {
     (void)state;
@@ -132,7 +133,7 @@ static void lines_are_counted_however_they_end(void **state)
     }
 }
 
-/* 29 February is there, or is not, whatever the header leaves unsaid. */
+/* 29 February may exist or be missing, if the header does not specify it. */
 static void a_leap_day_may_be_there(void **state)
 {
     (void)state;
@@ -182,7 +183,8 @@ static void a_leap_day_against_the_header_is_a_mistake(void **state)
     assert_refused(&made, 5, "the leap year entry (field 2) is \"Maybe\"");
 }
 
-/* A period that ends on 29 February, in a year without it, before another. */
+/* A period that ends on 29 February, in a year without this day, followed by another
+ * period. */
 static void a_period_may_end_on_a_day_that_is_not_there(void **state)
 {
     (void)state;
@@ -218,7 +220,8 @@ static void a_period_may_end_on_a_day_that_is_not_there(void **state)
     done(&made, epw);
 }
 
-/* Four records an hour, their minutes from 15 to 60, or from 0, or to the next 0. */
+/* Four records an hour, with minutes from 15 to 60, or from 0, or up to the 0 of the
+ * next hour. */
 static void records_may_be_closer_than_an_hour(void **state)
 {
     (void)state;
@@ -257,7 +260,7 @@ static void several_data_periods_follow_each_other(void **state)
     done(&made, epw);
 }
 
-/* Each of the years that stand in the header is passed. */
+/* All the years in the header. */
 static void a_period_may_take_years(void **state)
 {
     (void)state;
@@ -274,7 +277,7 @@ static void a_period_may_take_years(void **state)
     done(&made, epw);
 }
 
-/* Latin-1 becomes UTF-8, UTF-8 stays; quotes and commas in a name. */
+/* Latin-1 is converted to UTF-8, and UTF-8 is kept; quotes and commas in a name. */
 static void a_place_is_named_in_utf8(void **state)
 {
     (void)state;
@@ -294,7 +297,7 @@ static void a_place_is_named_in_utf8(void **state)
     }
 }
 
-/* ---- what is refused ---- */
+/* ---- rejected files ---- */
 
 static void a_file_that_is_cut_off_is_refused(void **state)
 {
@@ -390,7 +393,7 @@ static void times_that_are_none_are_named(void **state)
     }
 }
 
-/* One header line each; the file goes on as it should. */
+/* One wrong header line each; the rest of the file is valid. */
 static void header_lines_that_are_wrong_are_named(void **state)
 {
     (void)state;
@@ -438,7 +441,7 @@ static void header_lines_that_are_wrong_are_named(void **state)
     assert_refused(&made, 2, "starts with \"WEATHER\"");
 }
 
-/* Bytes that no weather file has. */
+/* Bytes that do not occur in weather files. */
 static void what_is_no_text_is_refused(void **state)
 {
     (void)state;
@@ -466,7 +469,7 @@ static void what_is_no_text_is_refused(void **state)
     assert_refused(&made, 2, "there is a line of more than 65536 bytes");
 }
 
-/* A file of nothing but mistakes says some of them. */
+/* A file with only mistakes: a limited number is reported. */
 static void mistakes_are_said_up_to_some(void **state)
 {
     (void)state;

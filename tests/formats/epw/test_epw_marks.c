@@ -1,10 +1,11 @@
-/* test_epw_marks.c - weather files that loggers, converters and spreadsheets wrote. */
+/* test_epw_marks.c - weather files written by data loggers, converters and
+ * spreadsheets. */
 #include <string.h>
 
 #include "tests/lib/made_epw.h"
 #include "tests/lib/near.h"
 
-/* One day of hours with the header's summer time and period. */
+/* One day of hourly records, with summer time and period in the header. */
 static struct pp_epw *read_day(const char *summer, const char *period,
                                const char *global, const char *lx_by_day,
                                const char *lx_at_night)
@@ -32,7 +33,8 @@ static struct pp_epw *read_day(const char *summer, const char *period,
     return epw;
 }
 
-/* 9999 lx in the dark is no light, nor is it then by day; without such nights it is. */
+/* 9999 lx at night is not an illuminance, so 9999 lx by day is not either; without such
+ * nights it is. */
 static void illuminance_without_irradiance_is_a_mark(void **state)
 {
     (void)state;
@@ -57,7 +59,7 @@ static void loggers_mark_what_is_missing_by_minus_999(void **state)
     pp_epw_destroy(epw);
 }
 
-/* What a spreadsheet makes of 6/21. */
+/* Formats into which a spreadsheet converts 6/21. */
 static void days_of_a_spreadsheet_are_read(void **state)
 {
     (void)state;
@@ -66,7 +68,7 @@ static void days_of_a_spreadsheet_are_read(void **state)
     pp_epw_destroy(epw);
 }
 
-/* The calendar of 2001 has Sundays on 11 March, 29 April and 4 November; in 2024 the
+/* In the calendar of 2001, 11 March, 29 April and 4 November are Sundays; in 2024 the
  * last Thursday of February is the 29th. */
 static void days_of_the_week_in_a_month_are_days_of_a_year(void **state)
 {

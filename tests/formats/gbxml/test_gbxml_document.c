@@ -1,4 +1,5 @@
-/* test_gbxml_document.c - gbXML files are read in their own encodings, and refused in words. */
+/* test_gbxml_document.c - gbXML files in various encodings are read, or rejected with a
+ * reason. */
 #include "formats/gbxml/gbxml_document.h"
 
 #include <stdlib.h>
@@ -8,7 +9,7 @@
 
 #define BUERO "B\xC3\xBCro" /* in UTF-8 */
 
-/* The name of the only space of a file of those bytes; fails where there is none. */
+/* Asserts the name of the only space in a file of these bytes. */
 static void space_is_called(const char *bytes, size_t length, const char *expected)
 {
     struct pp_xml document;
@@ -115,12 +116,12 @@ static void files_other_than_gbxml_are_refused_in_words(void **state)
     is_refused("\xFE\xFF\0<\xD8\0\0a", 8, "a.xml:1: some bytes are not UTF-16BE");
 }
 
-/* Each takes a moment; a long tag or thousands of errors would take minutes. */
+/* Each is processed quickly; a long tag or thousands of errors could take minutes. */
 static void bulk_is_read_or_refused_with_its_line(void **state)
 {
     (void)state;
     static const struct {
-        const char *head, *unit, *tail, *words; /* no words: it is read */
+        const char *head, *unit, *tail, *words; /* no words: the file is read */
     } bulk[] = {
         {"<gbXML>\n", "<a>", "",
          "a.xml:2: elements are nested more than 64 levels deep"},
@@ -151,7 +152,7 @@ static void bulk_is_read_or_refused_with_its_line(void **state)
     free(text);
 }
 
-/* Prefixes, namespaces, and text that other elements divide. */
+/* Prefixes, namespaces, and text interrupted by other elements. */
 static void elements_are_found_by_their_names(void **state)
 {
     (void)state;

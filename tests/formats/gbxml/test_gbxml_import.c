@@ -1,4 +1,5 @@
-/* test_gbxml_import.c - gbXML files become the rooms that they describe: by the light in them. */
+/* test_gbxml_import.c - gbXML files become rooms with the light of the rooms that they
+ * describe. */
 #include <stdarg.h>
 #include <stdlib.h>
 
@@ -8,7 +9,7 @@
 #include "tests/lib/made_gbxml.h"
 #include "tests/lib/room_of.h"
 
-/* Sky component by exact at a point of the room of that number. */
+/* Sky component by exact at a point of a room, by the number of the room. */
 static double sky_at(const char *xml, int room, struct pp_vec3 at)
 {
     struct pp_building *building;
@@ -72,7 +73,7 @@ static void box_has_the_light_of_the_same_room_by_hand(void **state)
     }
 }
 
-/* Bytes of zero between letters, a byte order mark before them. */
+/* Zero bytes between letters, after a byte order mark. */
 static void utf_16_is_read_as_utf_8_is(void **state)
 {
     (void)state;
@@ -96,7 +97,7 @@ static void utf_16_is_read_as_utf_8_is(void **state)
     free(expected);
 }
 
-/* A room turned by 30 degrees is a box turned so, with the same light. */
+/* A room rotated by 30 degrees is imported as a rotated box, with the same light. */
 static void turned_box_stays_a_box(void **state)
 {
     (void)state;
@@ -142,8 +143,8 @@ static void turned_box_stays_a_box(void **state)
     free(xml);
 }
 
-/* Two rooms with a wall between, of which the file has one: both close, and it is an inner wall
- * of both. */
+/* Two rooms with a common wall, which the file contains once: both rooms are closed,
+ * and it is an inner wall of both. */
 static void rooms_share_a_wall(void **state)
 {
     (void)state;
@@ -172,8 +173,8 @@ static void rooms_share_a_wall(void **state)
     free(xml);
 }
 
-/* A gable roof whose walls are in two pieces, with a skylight: an envelope, the light of the
- * same room by a plan with a roof. */
+/* A gable roof whose walls are in two pieces, with a skylight: imported as an envelope,
+ * with the light of the same room as a plan with a roof. */
 static void attic_is_an_envelope(void **state)
 {
     (void)state;
@@ -222,8 +223,9 @@ static void attic_is_an_envelope(void **state)
     free(xml);
 }
 
-/* Without its roof a box is closed by one plane face; without a side more, by the ShellGeometry or
- * the prism over its floor: the same light, and said. */
+/* A box without its roof is closed by one plane face; without another side too, by the
+ * ShellGeometry or the prism over its floor. The light is the same, and the repair is
+ * reported. */
 static void what_lacks_is_closed_and_said(void **state)
 {
     (void)state;
@@ -251,8 +253,9 @@ static void what_lacks_is_closed_and_said(void **state)
     free(xml);
 }
 
-/* A shade before the window takes light; what stands in the room is left out and named, and so
- * is a door; a type without a transmittance is named with what is taken. */
+/* A shade in front of the window reduces light. Objects in the room and a door are
+ * omitted and reported. A window type without a transmittance is reported with the
+ * default used. */
 static void what_is_taken_and_left_out_is_said(void **state)
 {
     (void)state;
@@ -337,7 +340,8 @@ static void others_are_refused_with_a_reason(void **state)
     }
 }
 
-/* Cut anywhere, a file is refused, or is a room with less; it never crashes. */
+/* A file truncated at any position is rejected, or gives a room with fewer parts; the
+ * program never crashes. */
 static void broken_files_do_no_harm(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_gbxml_repairs.c - models with small and great faults become the rooms that they
- * mean: by floor area, volume and glass, worked out by hand. */
+/* test_gbxml_repairs.c - models with small and large errors are repaired: floor area,
+ * volume and glass area, compared with calculations by hand. */
 #include <stdarg.h>
 #include <stdlib.h>
 
@@ -7,13 +7,13 @@
 #include "tests/lib/made_gbxml.h"
 #include "tests/lib/room_of.h"
 
-/* Sizes of a room of the imported file. */
+/* Dimensions of a room of the imported file. */
 struct sizes {
     int rooms, points;
     double floor_m2, volume_m3, glass_m2, height_m, plane_m;
 };
 
-/* Volume by the divergence of position over the faces, openings not taken off. */
+/* Volume by the divergence theorem over the faces, openings included. */
 static struct sizes sizes_of(const char *xml, int room)
 {
     struct sizes sizes = {0};
@@ -64,7 +64,7 @@ static void begin_space(struct made_gbxml *file, double area_m2, double volume_m
     fputs("</Space></Building>\n", file->out);
 }
 
-/* Turns the root into one with units of area and volume. */
+/* Ends the file, with units of area and volume in the root element. */
 static void end_space(struct made_gbxml *file)
 {
     static const char units[] = "areaUnit='SquareMeters' volumeUnit='CubicMeters' ";
@@ -79,9 +79,9 @@ static void end_space(struct made_gbxml *file)
     file->length = strlen(made);
 }
 
-/* A box of 6 x 4 x `h` m, its south wall 6 m long with the openings that `inside` puts
- * there; `up`: how much higher one corner of the roof is; `out`: how far the south wall
- * stands outside. */
+/* A box of 6 x 4 x `h` m; its south wall, 6 m long, has the openings written by
+ * `inside`. up: height of one corner of the roof above the others; out: distance of the
+ * south wall from the box. */
 static void put_room(struct made_gbxml *file, double h, double up, double out,
                      void (*inside)(struct made_gbxml *file))
 {
@@ -96,7 +96,7 @@ static void put_room(struct made_gbxml *file, double h, double up, double out,
     PUT(file, "ExteriorWall", 0, 4, 0, 0, 0, 0, 0, 0, h, 0, 4, h);
 }
 
-/* A window in the south wall. */
+/* Writes a window in the south wall. */
 static void put_window(struct made_gbxml *f, double left, double sill, double right,
                        double top)
 {
@@ -187,7 +187,8 @@ static void air_opening(struct made_gbxml *f)
     made_gbxml_opening(f, "Air", CORNERS(1, 0, 0, 3, 0, 0, 3, 0, 2, 1, 0, 2));
 }
 
-/* A door whose type has a visible transmittance is glass; air has no pane. */
+/* A door whose type has a visible transmittance is glazed; an air opening has no
+ * pane. */
 static void doors_of_glass_and_air_are_openings(void **state)
 {
     (void)state;
@@ -209,7 +210,8 @@ static void doors_of_glass_and_air_are_openings(void **state)
 
 /* ---- envelopes ---- */
 
-/* A roof whose corner is 5 mm high is two triangles: 24 x 3 and a third of its prism. */
+/* A roof with one corner 5 mm higher is divided into two triangles: 24 x 3 and a third
+ * of the prism. */
 static void faces_that_are_not_plane_are_divided(void **state)
 {
     (void)state;
@@ -220,8 +222,8 @@ static void faces_that_are_not_plane_are_divided(void **state)
     assert_non_null(strstr(notes, "1 faces are not planar"));
 }
 
-/* A south wall 50 mm outside leaves the surfaces open; the room is the prism over both
- * of its slabs, 6 x 4 and 3 x 4 m, and has the window in front of the second. */
+/* A south wall 50 mm outside leaves the surfaces open. The room is the prism over both
+ * slabs, 6 x 4 and 3 x 4 m, with the window in front of the second. */
 static void all_slabs_are_floor(void **state)
 {
     (void)state;
@@ -252,8 +254,9 @@ static void all_slabs_are_floor(void **state)
     free(xml);
 }
 
-/* An attic of 6 x 4 m, eaves 2 m, ridge 4 m, one corner of a slope `off` too high: 24 m2
- * by (2 + 4)/2. Beyond the tolerance of a weld the surfaces do not close. */
+/* An attic of 6 x 4 m, eaves 2 m, ridge 4 m, one corner of a slope too high by `off`:
+ * 24 m2 times (2 + 4)/2. Beyond the tolerance for merging, the surfaces are not
+ * closed. */
 static struct sizes attic(double off, char *notes)
 {
     struct made_gbxml file;
@@ -286,14 +289,15 @@ static void corners_are_welded_within_20_mm(void **state)
     sizes = attic(0.001, notes);
     assert_near(sizes.volume_m3, 72.0, 0.02);
     assert_null(strstr(notes, "made one"));
-    /* farther apart it is the prism of the volume that is given */
+    /* If it is farther apart, the prism with the volume in the file is used. */
     sizes = attic(0.5, notes);
     assert_near(sizes.volume_m3, 72.0, 1e-3);
     assert_near(sizes.height_m, 3.0, 1e-4);
     assert_non_null(strstr(notes, "a vertical prism"));
 }
 
-/* A file that says another area or volume is believed in its surfaces, and it is said. */
+/* If the area or volume in the file differs, the surfaces are used, and this is
+ * reported. */
 static void other_sizes_are_noted(void **state)
 {
     (void)state;
@@ -309,7 +313,7 @@ static void other_sizes_are_noted(void **state)
     free(xml);
 }
 
-/* A storey of 4 m with a ceiling at 2.8 m, which the volume knows. */
+/* A storey of 4 m with a ceiling at 2.8 m, which follows from the volume. */
 static void ceiling_is_where_the_volume_has_it(void **state)
 {
     (void)state;
@@ -326,9 +330,9 @@ static void ceiling_is_where_the_volume_has_it(void **state)
     free(xml);
 }
 
-/* ---- rooms beside each other ---- */
+/* ---- neighbouring rooms ---- */
 
-/* Two rooms of 4 x 6 x 3 m, the second one `by` inside the first. */
+/* Two rooms of 4 x 6 x 3 m, which overlap by `by`. */
 static char *two_rooms(double by, char *notes)
 {
     struct made_gbxml file;
@@ -364,9 +368,10 @@ static void overlaps_up_to_20_mm_are_trimmed(void **state)
     }
 }
 
-/* ---- planes and places ---- */
+/* ---- planes and positions ---- */
 
-/* A hall has a grid that fits into the limit, a low room a plane within it. */
+/* In a hall the grid is within the limit on points; in a low room the plane is within
+ * the room. */
 static void grid_and_working_plane_fit(void **state)
 {
     (void)state;
@@ -392,7 +397,7 @@ static void grid_and_working_plane_fit(void **state)
     free(xml);
 }
 
-/* Coordinates of a national grid give the room that small ones give. */
+/* Coordinates of a national grid give the same room as small ones. */
 static void far_models_are_moved(void **state)
 {
     (void)state;
@@ -423,7 +428,7 @@ static int count_words(const char *text, const char *word)
     return count;
 }
 
-/* Two triangles in one loop are the shade that they cover. */
+/* Two triangles in one loop become a shade with their common outline. */
 static void outlines_that_meet_themselves_are_taken_by_their_rim(void **state)
 {
     (void)state;

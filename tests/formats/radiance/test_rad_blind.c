@@ -1,5 +1,4 @@
-/* test_rad_blind.c - the slats of a blind as polygons of the scene that is written of a
- * room. */
+/* test_rad_blind.c - the slats of a blind are exported as polygons of the scene. */
 #include "tests/lib/room_of.h"
 
 #include "formats/radiance/write/rad_room.h"
@@ -20,7 +19,8 @@ static enum pp_status scene_with(struct pp_rad_room *room, const char *blind)
     return status;
 }
 
-/* Polygons whose material is that of the slats; *least, *most: their limits in y. */
+/* Number of polygons with the material of the slats; *least, *most: their limits in
+ * y. */
 static int slat_count(const struct pp_rad_room *room, double *least, double *most)
 {
     const struct pp_scene_description *scene = &room->scene;
@@ -40,7 +40,7 @@ static int slat_count(const struct pp_rad_room *room, double *least, double *mos
     return count;
 }
 
-/* The window is 1.2 m high: 24 slats at 50 mm. The room is where y is above 0. */
+/* The window is 1.2 m high: 24 slats 50 mm apart. The room is at positive y. */
 static void slats_are_polygons_beside_the_glass(void **state)
 {
     (void)state;

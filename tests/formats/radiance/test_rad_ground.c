@@ -1,4 +1,4 @@
-/* The ground of a room as a surface of the scene that is written of it. */
+/* test_rad_ground.c - the ground as a surface of the exported scene. */
 #include "tests/lib/room_of.h"
 
 #include "formats/radiance/write/rad_room.h"
@@ -29,7 +29,7 @@ static bool is_ground(const struct pp_scene_description *scene, int shape)
            && strcmp(scene->materials[it->material].name, "ground") == 0;
 }
 
-/* The disc; NULL: there is none. */
+/* The disc of the ground; NULL: none. */
 static const struct pp_shape *disc_of(const struct pp_scene_description *scene)
 {
     for (int i = 0; i < scene->shape_count; i++)
@@ -38,7 +38,7 @@ static const struct pp_shape *disc_of(const struct pp_scene_description *scene)
     return NULL;
 }
 
-/* The tower's far upper corner is 136 m away from the middle of the room. */
+/* The far upper corner of the tower is 136 m from the middle of the room. */
 static void the_ground_reaches_far_beyond_what_stands_on_it(void **state)
 {
     (void)state;
@@ -78,7 +78,7 @@ static void a_near_skyline_stands_on_the_ground(void **state)
         if (!is_ground(&room.scene, i))
             face = &room.scene.shapes[i];
     double foot = INFINITY;
-    /* The face reflects: the light on it is Radiance's to find. */
+    /* The face reflects: Radiance calculates the light on it. */
     assert_non_null(face);
     const struct pp_material *matt = &room.scene.materials[face->material];
     assert_int_equal(matt->emits, PP_EMITS_NOTHING);
@@ -86,13 +86,13 @@ static void a_near_skyline_stands_on_the_ground(void **state)
     for (int k = 0; k < face->is.polygon.count; k++)
         foot = fmin(foot, room.scene.vertices[face->is.polygon.first + k].z);
     assert_non_null(disc);
-    assert_near(foot, 0.8, 1e-12); /* dug away to the sill */
+    assert_near(foot, 0.8, 1e-12); /* lowered to the sill */
     assert_near(disc->is.ring.centre.z, foot, 3e-4);
     assert_near(disc->is.ring.radii_m[1], 1170.0, 1e-9);
     pp_rad_room_clear(&room);
 }
 
-/* ---- a room in the ground ---- */
+/* ---- a room below ground level ---- */
 
 static double turn(struct pp_vec3 a, struct pp_vec3 b, double x, double y)
 {
@@ -113,7 +113,7 @@ static bool covers(const struct pp_scene_description *scene, const struct pp_sha
            && turn(v[2], v[0], x, y) > 0.0;
 }
 
-/* An L: ground wherever the room is not. */
+/* An L-shaped room: the ground is everywhere outside it. */
 static void ground_higher_than_the_floor_stays_out_of_the_room(void **state)
 {
     (void)state;
@@ -138,9 +138,10 @@ static void ground_higher_than_the_floor_stays_out_of_the_room(void **state)
     pp_rad_room_clear(&room);
 }
 
-/* ---- its light ---- */
+/* ---- light from the ground ---- */
 
-/* Illuminance from below at a sensor a centimetre over the ground, 50 m before the room. */
+/* Illuminance from below at a sensor a centimetre above the ground, 50 m in front of
+ * the room. */
 static double light_from_below(const char *parts)
 {
     struct pp_rad_room room = scene_of(parts);
@@ -157,7 +158,8 @@ static double light_from_below(const char *parts)
 }
 
 /* Half a metre from the foot of a black wall, 3 km high and 6 km long, the ground sees
- * half the sky; without it, all but the room, which hides less than 0.1 %. */
+ * half of the sky. Without the wall it sees the sky except for the room, which hides
+ * less than 0.1 %. */
 static void ground_at_the_foot_of_a_wall_is_half_as_light(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* Radiance scene files: what they describe, and what is refused. */
+/* test_rad_read.c - Radiance scene files: their contents, and files that are
+ * rejected. */
 #include "tests/lib/near.h"
 
 #include <stdio.h>
@@ -11,7 +12,7 @@ static enum pp_status parse(struct pp_scene_description *scene,
                             struct pp_rad_summary *summary, const char *text,
                             size_t length, struct pp_error *err)
 {
-    /* Exactly as long as the text, so that a look beyond it is seen. */
+    /* A copy of exactly this length, so that a read beyond its end is detected. */
     char *copy = malloc(length ? length : 1);
     assert_non_null(copy);
     memcpy(copy, text, length);
@@ -82,32 +83,32 @@ static void every_material_is_what_it_says(void **state)
         "void trans c 0 0 7 .8 .8 .8 .1 .02 .5 .25\nvoid plastic d 0 0 5 .9 .8 .7 0 0\n"
         "void metal2 e 4 0 1 0 . 0 6 .5 .5 .5 .9 .1 .3\nvoid glass f 0 0 3 .96 .96 .9\n"
         "void glow g 0 0 4 1 2 3 0\nvoid alias i a\ninherit alias j b\n");
-    /* Plastic's diffuse part is what the gloss leaves, by its colour [WS98]. */
+    /* The diffuse part of plastic is what its gloss leaves, times its colour [WS98]. */
     assert_near(scene.materials[0].diffuse.r, 0.5 * 0.9, 1e-15);
     assert_near(scene.materials[0].gloss.g, 0.1, 1e-15);
     assert_near(scene.materials[1].gloss.b, 0.3 * 0.8, 1e-15);
-    /* Trans: 0.8 . 0.9 . 0.5 through, a quarter of it straight. */
+    /* Trans: transmits 0.8 . 0.9 . 0.5, a quarter of it directly. */
     assert_near(scene.materials[2].through_diffuse.r, 0.8 * 0.9 * 0.5 * 0.75, 1e-15);
     assert_near(scene.materials[2].through_gloss.r, 0.8 * 0.9 * 0.5 * 0.25, 1e-15);
     assert_near(scene.materials[3].diffuse.b, 0.7, 0.0);
     assert_near(scene.materials[4].grain.y, 1.0, 0.0);
     assert_near(scene.materials[4].roughness[1], 0.3, 0.0);
-    /* Transmissivity 0.96 is the standard pane: 0.88 straight through. */
+    /* A transmissivity of 0.96 is the standard pane: 0.88 transmitted. */
     assert_near(scene.materials[5].glass[0].normal, 0.88, 2e-3);
     const struct pp_material *glow = &scene.materials[6];
     assert_string_equal(glow->name, "g");
     assert_int_equal(glow->emits, PP_EMITS_EXTENDED);
     assert_near(glow->radiance.b, 3.0, 0.0);
     assert_string_equal(scene.materials[0].name, "a");
-    /* Other names for the same are no materials of their own. */
+    /* Other names for the same material are not separate materials. */
     assert_int_equal(scene.material_count, 7);
     pp_scene_description_clear(&scene);
 }
 
 #define TRIANGLE " polygon p 0 0 9 0 0 0 1 0 0 0 1 0\n"
 
-/* An illum gives light, and is to the eye the material that it names; of a mirror
- * nothing is seen from behind; a glow of a radius below 0 is for the eye alone. */
+/* An illum emits light, but appears as the material that it names; a mirror is
+ * invisible from behind; a glow with a negative radius emits no light for sampling. */
 static void lamps_and_mirrors_have_two_faces(void **state)
 {
     (void)state;
@@ -147,7 +148,7 @@ static int corners_at(const struct pp_scene_description *scene, int first, int e
     return count;
 }
 
-/* By the divergence theorem: positive where the fronts look outwards. */
+/* Volume by the divergence theorem: positive if the fronts face outwards. */
 static double volume_of(const struct pp_scene_description *scene)
 {
     double volume = 0.0;
@@ -160,7 +161,7 @@ static double volume_of(const struct pp_scene_description *scene)
     return volume;
 }
 
-/* A box on its side, twice; a mirror leaves the outside outside. */
+/* A box on its side, copied; a mirror transformation keeps its outside. */
 static void transforms_move_from_left_to_right_and_arrays_copy(void **state)
 {
     (void)state;
@@ -168,7 +169,7 @@ static void transforms_move_from_left_to_right_and_arrays_copy(void **state)
         scene_of(WHITE "!genbox white box 1 2 3 | xform -rz 90 -t 5 0 0 -a 2 -t 0 0 10 "
                        "-a 3 -i 1 -s 2\n");
     assert_int_equal(scene.shape_count, 6 * 2 * 3);
-    /* Corner 1, 0, 0 of the box: turned to 0, 1, 0, moved to 5, 1, 0, scaled. */
+    /* Corner 1, 0, 0 of the box: rotated to 0, 1, 0, moved to 5, 1, 0, scaled. */
     assert_int_equal(corners_at(&scene, 0, 6, 10.0, 2.0, 0.0), 3);
     assert_int_equal(corners_at(&scene, 18, 24, 10.0, 2.0, 20.0), 3);
     pp_scene_description_clear(&scene);
@@ -185,8 +186,8 @@ static void transforms_move_from_left_to_right_and_arrays_copy(void **state)
     }
 }
 
-/* A million steps are little more work than one: after so many turns by a degree and
- * moves by a millimetre, a corner is where a geometric series has it. */
+/* A million steps take little more work than one: after so many rotations by a degree
+ * and moves by a millimetre, a corner is at the sum of a geometric series. */
 static void an_array_of_many_steps_ends_where_it_should(void **state)
 {
     (void)state;
@@ -196,15 +197,15 @@ static void an_array_of_many_steps_ends_where_it_should(void **state)
     double step = PP_RAD, all = 280.0 * PP_RAD;
     double half = 0.001 * sin(all / 2.0) / sin(step / 2.0);
     double turn = (all - step) / 2.0;
-    /* 1e-16 of an angle, a million times over */
+    /* 1e-16 of an angle, a million times */
     double x = half * cos(turn), y = half * sin(turn);
     assert_int_equal(corners_at(&scene, 0, 6, x, y, 0.0), 3);
     pp_scene_description_clear(&scene);
 }
 
-/* Slabs on the sides of an inner box, and what is on its edges and corners: bevelled,
- * half squares and sixths of cubes; in segments, many-sided quarters; round, as genbox
- * makes them, whole cylinders and spheres. */
+/* Slabs on the sides of an inner box, and pieces at its edges and corners: bevelled,
+ * half squares and sixths of cubes; in segments, polygons approximating quarters;
+ * round, as by genbox, whole cylinders and spheres. */
 static void boxes_may_have_bevelled_and_round_edges(void **state)
 {
     (void)state;
@@ -218,7 +219,7 @@ static void boxes_may_have_bevelled_and_round_edges(void **state)
     scene = scene_of(WHITE "!genbox white b 1 2 3 -r .1 -n 30 -i\n");
     assert_int_equal(scene.shape_count, 6 + 12 * 32 + 8 * 32 * 32);
     double quarter = 32.0 / 2.0 * sin(PP_PI / 64.0) * b * b;
-    /* The corners' facets leave out less than 1 % of a ball. */
+    /* The facets of the corners omit less than 1 % of a sphere. */
     double round = body + 4.0 * quarter * (x + y + z) + 4.0 / 3.0 * PP_PI * b * b * b;
     assert_near(volume_of(&scene), -round, 1e-2 * 4.0 / 3.0 * PP_PI * b * b * b);
     pp_scene_description_clear(&scene);
@@ -235,7 +236,7 @@ static void boxes_may_have_bevelled_and_round_edges(void **state)
     pp_scene_description_clear(&scene);
 }
 
-/* Files within files, found from where the program runs. */
+/* Files within files, relative to the folder in which the program runs. */
 static void a_file_stands_in_a_file(void **state)
 {
     (void)state;
@@ -256,7 +257,7 @@ static void a_file_stands_in_a_file(void **state)
     assert_string_equal(scene.materials[scene.shapes[1].material].name, "white");
     pp_scene_description_clear(&scene);
 
-    /* One that names itself ends. */
+    /* A file that includes itself is rejected. */
     assert_int_equal(lseek(file, 0, SEEK_SET), 0);
     int length = snprintf(text, sizeof text, "!xform %s\n", inner);
     assert_int_equal(write(file, text, (size_t)length), length);
@@ -269,7 +270,7 @@ static void a_file_stands_in_a_file(void **state)
     unlink(inner);
 }
 
-/* A line asks for a million copies of a comment of 1 MiB. */
+/* A line requests a million copies of a comment of 1 MiB. */
 static void files_that_copies_read_without_end_are_refused(void **state)
 {
     (void)state;
@@ -293,7 +294,7 @@ static void files_that_copies_read_without_end_are_refused(void **state)
     unlink(name);
 }
 
-/* Skies as Radiance's own gendaylit prints them, to its digits. */
+/* Skies as printed by Radiance's gendaylit, to its digits. */
 static void skies_are_those_of_gendaylit(void **state)
 {
     (void)state;
@@ -371,7 +372,7 @@ static void a_written_perez_sky_turns_with_its_scene(void **state)
     pp_scene_description_clear(&scene);
 }
 
-/* Skies as Radiance's own gensky prints them. */
+/* Skies as printed by Radiance's gensky. */
 static void skies_are_those_of_gensky(void **state)
 {
     (void)state;
@@ -451,8 +452,8 @@ static void skies_are_those_of_gensky(void **state)
     }
 }
 
-/* A zone's clock is so many hours ahead of Greenwich: 9:20 of it is the same moment as by
- * its meridian, 15 degrees an hour to the west. */
+/* The clock of a zone is a number of hours ahead of Greenwich: 9:20 is the same moment
+ * as with its meridian, 15 degrees to the west per hour. */
 static void a_zone_is_its_meridian(void **state)
 {
     (void)state;

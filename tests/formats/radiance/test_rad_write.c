@@ -1,4 +1,4 @@
-/* Rooms as Radiance scene files, read back. */
+/* test_rad_write.c - rooms written as Radiance scene files and read back. */
 #include "tests/lib/room_of.h"
 
 #include <locale.h>
@@ -47,7 +47,7 @@ static void assert_same_vec(struct pp_vec3 a, struct pp_vec3 b)
     assert_true(a.x == b.x && a.y == b.y && a.z == b.z);
 }
 
-/* A product and a quotient of numbers up to 1 on the way: a few roundings of 1e-16. */
+/* Rounding of a product and a quotient of numbers up to 1: a few times 1e-16. */
 static void assert_same_rgb(struct pp_rgb a, struct pp_rgb b)
 {
     assert_near(a.r, b.r, 1e-14 * (1.0 + a.r));
@@ -132,7 +132,7 @@ static void assert_same_scene(const struct pp_scene_description *scene)
     free(text);
 }
 
-/* The area of a face's outlines is the face's less its openings'. */
+/* Asserts that the outlines of a face have its area without its openings. */
 static void assert_cut(const struct pp_world *world)
 {
     for (int face = 0; face < world->face_count; face++) {
@@ -157,7 +157,7 @@ static void assert_cut(const struct pp_world *world)
     }
 }
 
-/* Matt, and with all gloss. */
+/* Compares rooms with matt surfaces, and with all gloss. */
 static void assert_room_comes_back(const struct pp_world *world,
                                    const struct pp_outside_light *light)
 {
@@ -268,7 +268,7 @@ static void many_holes_in_one_wall_become_one_outline(void **state)
     assert_comes_back(xml);
 }
 
-/* A window from floor to ceiling and one beside it part the wall in three. */
+/* A window from floor to ceiling and one beside it divide the wall into three parts. */
 static void openings_that_part_a_wall_leave_several_outlines(void **state)
 {
     (void)state;
@@ -288,8 +288,8 @@ static void openings_that_part_a_wall_leave_several_outlines(void **state)
     assert_comes_back(xml);
 }
 
-/* In every direction, sky.h's light of the room, and the skylines that the tracer's
- * conventions put before it. */
+/* In every direction: the luminance of the room's sky by sky.h, or of the skyline by
+ * the conventions of the tracer. */
 static void a_far_skyline_is_part_of_the_sky(void **state)
 {
     (void)state;
@@ -305,7 +305,8 @@ static void a_far_skyline_is_part_of_the_sky(void **state)
     assert_int_equal(pp_rad_room_init(&room, world, &light, 70.0, true, NULL), PP_OK);
     const struct pp_pattern *pattern = &room.scene.patterns[0];
     assert_int_equal(pattern->skyline_count, 2);
-    /* 0.4 (0.396177 + 0.3/2) 70 / pi: the vertical sky component's known maximum */
+    /* 0.4 (0.396177 + 0.3/2) 70 / pi: with the known maximum of the vertical sky
+     * component */
     struct pp_vec3 low = pp_vec_unit(pp_vec(0.01, -1.0, 0.3));
     assert_near(pp_scene_description_pattern_value(pattern, low),
                 0.4 * (0.396177 + 0.15) * 70.0 / PP_PI, 1e-5);
@@ -353,7 +354,7 @@ static void what_radiance_has_no_words_for_is_refused(void **state)
     pp_scene_description_clear(&scene);
 }
 
-/* Round shapes and every material, by way of a text that says them. */
+/* Round shapes and every material, written as text and read back. */
 static void any_scene_comes_back(void **state)
 {
     (void)state;
@@ -378,7 +379,8 @@ static void any_scene_comes_back(void **state)
     char *first = text_of(&scene, &length);
     struct pp_scene_description back = read_back(first, length);
     char *second = text_of(&back, &again);
-    assert_string_equal(first, second); /* names too, once they are fit */
+    assert_string_equal(
+        first, second); /* names too, after the first conversion to valid names */
     free(first);
     free(second);
     pp_scene_description_clear(&back);
@@ -412,8 +414,8 @@ static void names_are_fit_and_unlike_each_other(void **state)
     pp_scene_description_clear(&scene);
 }
 
-/* Each shape with a front and a back of its own, all of one name: to look each up among
- * all the others would take minutes. */
+/* Each shape has a front and a back material of its own, all with the same name: a
+ * linear search for each would take minutes. */
 static void twenty_thousand_materials_of_one_name_are_told_apart(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* test_round_trip.c - rooms as Radiance scenes have the same daylight factors. The
- * long test (long_round_trip.c) is the same to a fifth of the error. */
+/* test_round_trip.c - rooms exported as Radiance scenes have the same daylight factors.
+ * The long test (long_round_trip.c) does the same with a fifth of the error. */
 #include "tests/lib/round_trip.h"
 
 static void every_example_is_as_light_when_it_comes_back(void **state)

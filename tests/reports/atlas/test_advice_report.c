@@ -1,6 +1,4 @@
-/* test_advice_report.c - advice that is made up, in words and as JSON: what it says is what is
- * in it.
- */
+/* test_advice_report.c - made-up advice as text and as JSON has all its contents. */
 #include "tests/lib/near.h"
 
 #include <math.h>
@@ -15,7 +13,8 @@ enum { POINTS = 6, WIDTH = 76 };
 static struct pp_receiver receivers[POINTS];
 static int indices[POINTS] = {0, 1, 2, 3, 4, 5};
 
-/* A method whose figures are a quarter low at all points, by its formula alone. */
+/* A method whose figures are a quarter too low at all points, because of its
+ * formula. */
 static struct pp_advice_item item_of(const char *column, double median)
 {
     return (struct pp_advice_item){
@@ -31,7 +30,7 @@ static struct pp_advice_item item_of(const char *column, double median)
         .point_count = POINTS};
 }
 
-/* The advice in words, each line's start and end taken away; *widest: of its lines. */
+/* The advice as text, with each line trimmed; *widest: width of the widest line. */
 static char *words_of(const struct pp_advice *advice, size_t *widest)
 {
     const struct pp_report report = {.receivers = receivers, .receiver_count = POINTS};
@@ -71,7 +70,7 @@ static void points_are_told_by_where_they_are(void **state)
     free(words);
 }
 
-/* 2.5 % at the first of the points, 0.5 % less at each of the next. */
+/* 2.5 % at the first point, 0.5 % less at each of the next. */
 static double corrected[] = {0.025, 0.02, 0.015, 0.01, 0.005, 0.0};
 
 static void corrected_figures_stand_with_the_average_and_the_points(void **state)
@@ -102,7 +101,7 @@ static void corrected_figures_stand_with_the_average_and_the_points(void **state
     free(words);
 }
 
-/* The figure's factor is the middle of the truth over it. */
+/* The correction factor is the median of the true value divided by the figure. */
 static void a_bias_is_said_with_the_factor_that_takes_it_away(void **state)
 {
     (void)state;

@@ -1,6 +1,5 @@
-/* test_band_pages.c - the pages of accuracy have every regime of the compiled tables, with the
- * bias that its middle makes.
- */
+/* test_band_pages.c - the pages on accuracy contain every regime of the compiled
+ * tables, with the bias that follows from its median. */
 #include "tests/lib/near.h"
 
 #include <math.h>
@@ -11,7 +10,7 @@
 #include "reports/atlas/band_pages.h"
 #include "studies/bands/band_table.h"
 
-/* In a buffer of their own: gcc takes that of the stream for gone. */
+/* In a separate buffer, because of a false warning of gcc about that of the stream. */
 static char *pages(void)
 {
     char *text = NULL;
@@ -44,7 +43,7 @@ static int records(void)
     return all;
 }
 
-/* Has a table a regime of so many rooms, with that band and bias? */
+/* True if a table has a regime with this number of rooms, band and bias. */
 static bool is_known(int rooms, double bias, double low, double high)
 {
     struct pp_band_record record;
@@ -60,7 +59,7 @@ static bool is_known(int rooms, double bias, double low, double high)
     return false;
 }
 
-/* "| words | rooms | bias % | spread | low to high | ..." */
+/* Reads "| words | rooms | bias % | spread | low to high | ...". */
 static bool read_row(const char *line, int *rooms, double *bias, double *low,
                      double *high)
 {
@@ -71,8 +70,8 @@ static bool read_row(const char *line, int *rooms, double *bias, double *low,
            == 6;
 }
 
-/* A ratio of truth to figure of 1/2 means a figure 100 % too high: the bias is the
- * figure's, of the truth. */
+/* A ratio of true value to figure of 1/2 is a figure 100 % too high: the bias is that
+ * of the figure relative to the true value. */
 static void every_regime_is_a_row_with_the_figure_s_bias(void **state)
 {
     (void)state;
@@ -91,7 +90,7 @@ static void every_regime_is_a_row_with_the_figure_s_bias(void **state)
     free(text);
 }
 
-/* Where a heading stands; -1: nowhere. */
+/* Position of a heading; -1: none. */
 static long place_of(const char *text, const char *heading)
 {
     const char *found = strstr(text, heading);

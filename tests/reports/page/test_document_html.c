@@ -1,12 +1,12 @@
-/* test_document_html.c - a document as a page of HTML: all that it says, in order, and nothing
- * of it as markup. */
+/* test_document_html.c - a document as an HTML page: all its text, in order and
+ * escaped. */
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "reports/page/document_html.h"
 #include "tests/lib/near.h"
 
-/* The page, to be freed. */
+/* The page; the caller frees it. */
 static char *page_of(const struct pp_document *document,
                      const struct pp_svg_picture *pictures)
 {
@@ -28,7 +28,7 @@ static int count_of(const char *page, const char *words)
     return count;
 }
 
-/* The words stand in the page in that order; NULL ends the list. */
+/* Asserts that the page contains the words in this order; NULL ends the list. */
 static void assert_order(const char *page, const char *const *words)
 {
     const char *at = page;

@@ -1,5 +1,5 @@
-/* test_year_section.c - figures of a year in a report: per cent, with their errors, and
- * no shares of a plane without a grid. */
+/* test_year_section.c - annual figures in a report: per cent, with their errors, and no
+ * shares of the plane without a grid. */
 #include <string.h>
 
 #include "model/room/world.h"
@@ -92,7 +92,7 @@ static void electric_light_has_its_shares_if_it_was_studied(void **state)
     assert_false(has(&grid_year, "dimmed"));
 }
 
-/* A year without a grid, or one that was interrupted, has dashes. */
+/* A year without a grid, or an interrupted one, has dashes. */
 static void a_short_report_has_a_row_for_each_room(void **state)
 {
     (void)state;

@@ -15,7 +15,7 @@ static void add(struct pp_table *table, const char *group, const char *heading,
         snprintf(column->cells[row], PP_CELL_BYTES, "%s", cell);
 }
 
-/* The table as printed; to be freed. */
+/* The table as printed; the caller frees it. */
 static char *printed(struct pp_table *table, int width)
 {
     char *text;
@@ -131,9 +131,9 @@ static void a_group_too_wide_for_any_line_is_broken(void **state)
     pp_table_clear(&table);
 }
 
-/* Keys of 11 and 21 columns, figures and verdicts of 6 and 10, and gaps of 9: 57 in all.
- * On a line of 51 the longer key gives up 6 columns, in its middle, where letters of more
- * bytes stay whole; "year" and "winter" at its end are still there. */
+/* Keys of 11 and 21 columns, figures and verdicts of 6 and 10, and gaps of 9: 57
+ * columns. In a line of 51 the longer key is shortened by 6 columns in its middle,
+ * where multi-byte letters remain complete; "year" and "winter" at its end are kept. */
 static void keys_are_shortened_in_the_middle_until_the_table_fits(void **state)
 {
     (void)state;
@@ -163,8 +163,8 @@ static void keys_are_shortened_in_the_middle_until_the_table_fits(void **state)
           "d, l..2, year   11.1 %  not judged\n");
 }
 
-/* Two windows that differ in the middle of their names alone cannot be cut there: the
- * table is left as it is, and goes on below. */
+/* Two windows whose names differ only in their middle cannot be shortened there: the
+ * table is not changed and continues below. */
 static void keys_that_would_become_the_same_are_left_whole(void **state)
 {
     (void)state;

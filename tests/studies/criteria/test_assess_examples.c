@@ -1,7 +1,6 @@
-/* test_assess_examples.c - the findings of `pepperpot assess` for the examples,
- * compared with independent calculations: rays tested against every polygon (sight.h),
- * formulae with the dimensions entered below, and counts of points. Runs
- * ./pepperpot. */
+/* test_assess_examples.c - the findings of `pepperpot assess` for the examples compared
+ * with rays tested against every polygon (sight.h), formulae with the dimensions
+ * entered below, and counts of points. Runs ./pepperpot. */
 #include <json.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,8 +13,7 @@
 #include "tests/lib/sight.h"
 #include "tests/lib/sized.h"
 
-/* Dimensions of the examples, as in their files; depth is measured from the window
- * wall. */
+/* Dimensions of the examples, as in their files; depth is from the window wall. */
 struct facts {
     const char *file, *room, *capital;
     double median_lux;
@@ -140,8 +138,7 @@ static void assert_finding(const struct room *room, const char *criterion,
     if (!same && !(fabs(figure - wanted) > tolerance))
         fail_msg("%s: %s of %g is too near to %g", criterion, of, figure, wanted);
     bool met = same || (at_most ? figure < wanted : figure > wanted);
-    /* Undecided: a figure closer to its bound than the error of the grid, or an open
-     * figure. */
+    /* Undecided: an open figure, or one closer to its bound than the grid's error. */
     double grid_error = json_object_get_double(field(found, "grid-error"));
     bool close = fabs(said - wanted) < grid_error
                  || json_object_get_boolean(field(found, "open"));
@@ -252,8 +249,7 @@ static struct pp_vec3 middle_outside(const struct pp_opening *opening)
 
 /* VSC(alpha) = 3/14 (1 - sin alpha) + 4/(7 pi) cos^2 alpha behind an infinitely long
  * skyline, with alpha from the middle of the pane. The part hidden by blocks and roofs
- * is counted in 80,000 directions of 3e-5 each; an outline crosses about 300 of them:
- * 0.3 %. */
+ * is counted in 80,000 directions; an outline crosses about 300 of them: 0.3 %. */
 static void vertical_sky_components_agree(void **state)
 {
     (void)state;
@@ -296,9 +292,8 @@ static void vertical_sky_components_agree(void **state)
     }
 }
 
-/* The obstruction angle is that of the highest of directions 0.05 degrees apart in
- * which a ray meets an obstruction. For a skyline, in these rooms the only obstruction
- * of its window, it is the angle in the file, measured from the outer face. */
+/* The angle of the highest of directions 0.05 degrees apart in which a ray meets an
+ * obstruction; for a skyline the angle in the file, measured from the outer face. */
 static void angles_in_section_agree(void **state)
 {
     (void)state;
@@ -661,9 +656,8 @@ static void hours_of_exposure_agree(void **state)
     }
 }
 
-/* One verdict per window for two criteria (none for an obstruction of more than 25
- * degrees), 20 for each room and one for box-shaped rooms; test_view_out.c tests those
- * of the view out. */
+/* One verdict per window for two criteria (none for an obstruction above 25 degrees),
+ * 20 per room and one per box-shaped room; test_view_out.c tests the view out. */
 static void every_verdict_was_held_against_another_route(void **state)
 {
     (void)state;
