@@ -1,5 +1,5 @@
 #!/bin/sh
-# The year's daylight from a weather file to figures, and what is wrong with the input.
+# annual: from a weather file to figures and charts, and wrong input.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
@@ -72,7 +72,7 @@ check "a chart" quietly chart year -w "$scratch/year.epw" -o "$scratch/year.svg"
 check "a chart without weather" refuses 2 "--weather" chart year -o "$scratch/x.svg" "$room"
 
 # It is sunny for 7 hours on 365 days, and a window to the south or north has all or none of
-# them.
+# The sun shines for 7 hours on 365 days; a window facing south or north has all or none of them.
 if command -v pdftotext >/dev/null; then
     sunny() { # NORTH HOURS
         sed -e '/<skyline/d' -e "s/<room /<room north=\"$1\" /" "$room" \
@@ -94,7 +94,7 @@ check "as many as a power of two" refuses 2 "power of two" chart year -w "$scrat
     --samples 17 -o "$scratch/x.svg" "$room"
 
 # stops WORDS: ends by a signal that comes in the first second or later, and leaves the
-# old file.
+# stops WORDS: is ended by a signal during the first seconds, and leaves the old file unchanged.
 stops() {
     echo old >"$scratch/old.svg"
     "$pepperpot" "$@" -o "$scratch/old.svg" "$room" 2>"$scratch/err" &

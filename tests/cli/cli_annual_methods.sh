@@ -1,10 +1,10 @@
 #!/bin/sh
-# Hand methods for the year beside the simulated one, their explanations, and wrong options.
+# Hand methods for the year compared with the simulation, their explanations, and wrong options.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
-# A year at Brussels: sun from 9 to 16 h, hazy before noon and clear after it, with a
-# cloud cover of 7 and 2 tenths; dark else.
+# A year at Brussels: sun from 9 to 16 h, hazy in the morning and clear in the afternoon, with a
+# cloud cover of 7 and 2 tenths; dark otherwise.
 awk 'BEGIN {
     print "LOCATION,Brussels,-,BEL,made up,064510,50.90,4.53,1.0,58.0"
     print "HOLIDAYS/DAYLIGHT SAVINGS,No,3/26,10/28,0"
@@ -29,7 +29,7 @@ check "all methods" shows "classes-scaled" $annual -m all "$room"
 check "with their assumptions" shows "own classes" $annual -m all "$room"
 check "one of them" shows "doe2 " $annual -m doe2 "$room"
 
-# lacks TEXT WORDS: the output has no such text.
+# lacks TEXT WORDS: the output does not contain this text.
 lacks() {
     text=$1
     shift
@@ -47,7 +47,7 @@ check "CSV" shows 'df-global.da300' $annual -m df-global -f csv "$room"
 check "a line has as many fields as the heading" \
     sh -c "awk -F, 'NR == 1 { n = NF } NF != n { exit 1 }' '$scratch/out'"
 
-# The daylight factor that df calculates by hand is the one in use.
+# The methods use the daylight factor that df calculates by hand.
 run df -q -m exact+bre --no-bands -f csv "$room"
 by_hand=$(awk -F, '$3 == "point" && $10 == "df" && !seen++ { printf "%.6f", $12 }' "$scratch/out")
 run $annual -m df-diffuse --df exact+bre -f csv "$room"

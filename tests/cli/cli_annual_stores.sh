@@ -1,10 +1,10 @@
 #!/bin/sh
-# Stored daylight coefficients: their matrix for Radiance, their use in other runs, and
-# interrupted runs.
+# Stored daylight coefficients: their matrix for Radiance, their use in other runs, and interrupted
+# runs.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
-# A year at Brussels: clear from 9 to 16 h, dark else; `other` has less light.
+# A year at Brussels: clear from 9 to 16 h, dark otherwise; `other` has less light.
 year() { # DIRECT DIFFUSE
     awk -v direct="$1" -v diffuse="$2" 'BEGIN {
         print "LOCATION,Brussels,-,BEL,made up,064510,50.90,4.53,1.0,58.0"
@@ -33,7 +33,7 @@ room=$scratch/room.xml
 matrix=$scratch/study.mtx
 annual="annual -q -f csv --hourly $scratch/hours.csv"
 
-# Runs WORDS, and keeps the results as NAME.
+# kept NAME WORDS: runs the command and keeps the results under this name.
 kept() { # NAME WORDS
     kept_name=$1
     shift
@@ -42,7 +42,7 @@ kept() { # NAME WORDS
     cp "$scratch/out" "$scratch/$kept_name.csv"
     cp "$scratch/hours.csv" "$scratch/$kept_name.hours"
 }
-# equal A B: both results are the same bytes.
+# equal A B: both results are identical.
 equal() {
     cmp "$scratch/$1.csv" "$scratch/$2.csv" && cmp "$scratch/$1.hours" "$scratch/$2.hours"
 }
@@ -115,7 +115,7 @@ head -c 500000 "$matrix.randomisations" >"$scratch/short"
 check "an incomplete file" refuses 1 "of the 16 randomisations" $annual \
     -w "$scratch/year.epw" --coefficients-from "$scratch/short" "$room"
 
-# A room with blinds of its own has coefficients for closed windows, too.
+# A room with its own blinds also has coefficients for closed windows.
 sed 's|height="1.6"/>|height="1.6"><blind slat-width="0.05" spacing="0.04" angle="40"/></window>|' \
     "$room" >"$scratch/blind.xml"
 kept blind --samples 32 -w "$scratch/year.epw" --coefficients "$scratch/blind.mtx" \
@@ -130,7 +130,7 @@ check "other slats are refused" refuses 1 "geometry or materials" annual \
 
 # ---- interrupted runs ----
 
-# Other randomisations than in the file are calculated, and added.
+# Only randomisations that are not in the file are calculated and added.
 checkpoint="--checkpoint $scratch/short --samples 64 -w $scratch/year.epw"
 check "a run continues" kept continued $checkpoint "$room"
 check "with the same results" equal direct continued
@@ -161,7 +161,7 @@ check "the run continues" kept resumed --samples 1024 -w "$scratch/year.epw" \
     --checkpoint "$scratch/stopped" "$room"
 check "to the bytes of a run without interruption" equal whole resumed
 
-# Rooms of a building, of which some are in the file.
+# Rooms of a building, some of which are already in the file.
 parts="-w $scratch/year.epw --points 1,1 --samples 16 --checkpoint $scratch/building"
 run annual -q -f csv $parts --part 1/2 "$examples/building.xml"
 check "all rooms after a part of them" gives annual -q -f csv $parts "$examples/building.xml"

@@ -1,11 +1,11 @@
 #!/bin/sh
-# Weather files of the year's daylight: southern, polar, of half-hour zones, of a leap year,
-# with four records an hour, and with absurd values.
+# Weather files for annual: southern, polar, from time zones with half hours, of a leap year, with
+# four records an hour, and with unreasonable values.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
-# make_epw NAME LATITUDE LONGITUDE ZONE RECORDS FEBRUARY DIRECT: a year of sunny records from
-# 10 to 14 h, of so many records an hour and days in February.
+# make_epw NAME LATITUDE LONGITUDE ZONE RECORDS FEBRUARY DIRECT: a year with sun from 10 to 14 h,
+# with this number of records an hour and of days in February.
 make_epw() {
     awk -v latitude="$2" -v longitude="$3" -v zone="$4" -v n="$5" -v february="$6" \
         -v direct="$7" 'BEGIN {
@@ -36,20 +36,20 @@ sed 's|</room>|<point x="1.5" y="1"/><point x="1.5" y="6"/></room>|; /<line/d; /
 room=$scratch/room.xml
 annual="annual --samples 16"
 
-# sun NAME TIME: altitude and bearing of the sun in that record, in degrees.
+# sun NAME TIME: altitude and bearing of the sun in the record of this time, in degrees.
 sun() {
     run df --samples 4 -w "$scratch/$1.epw" --when "$2" "$room"
     sed -n 's/.*sun \([-0-9.]*\) degrees high, bearing \([0-9.]*\).*/\1 \2/p' "$scratch/out"
 }
 
-# near HEIGHT BEARING TEXT: a sun within half a degree of that.
+# near ALTITUDE BEARING TEXT: the sun is within half a degree of this position.
 near() {
     echo "$3" | awk -v h="$1" -v b="$2" '{
         good = NF == 2 && ($1 - h)^2 + ($2 - b)^2 < 0.5 }
         END { exit !good }'
 }
 
-# By the Astronomical Almanac, at the middle of the record.
+# By the Astronomical Almanac, for the middle of the record.
 check "at Sydney the sun is in the north" near 76.8 319.8 "$(sun south '2003-12-21 12:00')"
 check "in June it is low there" near 32.1 351.0 "$(sun south '2003-06-21 12:00')"
 check "half an hour of the zone counts" near 61.5 180.8 "$(sun delhi '2003-03-21 12:00')"
@@ -84,7 +84,7 @@ check "a negative irradiance is located" refuses 1 'absurd.epw:14: direct normal
 check "beyond the sun's own it is missing" refuses 1 "neither direct nor diffuse" \
     $annual -w "$scratch/huge.epw" "$room"
 
-# Doubts about place and weather are errors with --strict. The room is at 51.5 degrees north.
+# Warnings about place and weather are errors with --strict. The room is at 51.5 degrees north.
 check "a room far from its weather" shows "the room is at latitude 51.5" \
     $annual -w "$scratch/south.epw" "$room"
 far="Deep office: the room is at latitude 51.5"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# assess: its layout, options and refusals; test_assess_examples recomputes its verdicts.
+# assess: its layout, options and rejected input; test_assess_examples recalculates its verdicts.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 LC_ALL=C
@@ -53,7 +53,7 @@ check "criteria have their short names too" shows "Vertical sky component" \
 check "one of which is the no-sky line" grep -q "^  No-sky line" "$scratch/out"
 check "and one the average" grep -q "^  Average daylight factor" "$scratch/out"
 check "of a name that is none they are told" refuses 2 'no criterion "vsk"' assess -c vsk "$deep"
-# 3.6 m x tan 26 before a window 1.2 m wide, far enough under 27 % of sky.
+# 3.6 m x tan 26 in front of a window 1.2 m wide: clearly less than 27 % of vertical sky component.
 cat >"$scratch/near.xml" <<EOF
 <room version="1"><plan width="3" depth="4" height="2.5"/>
 <window wall="south" left="1" sill="0.9" width="1.2" height="1.2"/>
@@ -97,7 +97,7 @@ check "an interrupted run says so" sh -c "
 check "and has what there is" grep -q '"se"' "$scratch/out"
 check "--time stops" shows "stopped at the --time limit" assess -s --spacing largest --time 200ms "$deep"
 
-# The room before: the obstructed office is the deep one with a building opposite.
+# The previous state: the obstructed office is the deep office with a building opposite.
 blocked=$examples/deep-office-obstructed.xml
 check "the room before" shows "area lost" assess --by-hand --before "$deep" "$blocked"
 check "its windows are compared" grep -q "39.6 % before" "$scratch/out"
@@ -153,8 +153,8 @@ done
 check "criteria that judge by no daylight factor have none simulated" gives \
     assess --simulate --criteria glazing-ratio,vertical-sky "$deep"
 check "and say nothing of it" nothing "$(grep simulation "$scratch/out")"
-# A flat in a street, without a word on the house that it is part of: behind a wall that goes
-# on round its window it has half as much light, and nothing that turns there is certain.
+# A flat in a street, in a file without the rest of its house: in a wall that continues around its
+# window it has half as much light, and no verdict that depends on this is certain.
 flat() {
     cat <<EOF
 <room version="1"><site latitude="51.5" longitude="-0.1" ground-level="-0.5"/>
@@ -167,7 +167,7 @@ EOF
 flat "" > "$scratch/alone.xml"
 flat '<facade wall="south" left="30" right="30" up="15" down="0.5"/>' > "$scratch/house.xml"
 flat '<facade wall="south"/>' > "$scratch/hut.xml"
-# verdict FILE: of the annex's bedroom, and what stands below it.
+# verdict FILE: the line of the bedroom in uk-annex, and the lines below it.
 verdict() {
     "$pepperpot" assess -q --error 2% -c uk-annex "$scratch/$1" | grep -A 3 'bedroom: 100 lx'
 }
@@ -188,8 +188,8 @@ check "and where the file says that there is none" sh -c "
 check "in JSON it has no confidence, and a note" sh -c "
     '$pepperpot' assess -q --error 2% -c uk-annex --format json '$scratch/alone.xml' |
     grep 'bedroom: 100 lx' | grep 'if the window walls were larger' | grep -vq confidence"
-# An overhang takes sky whatever stands opposite: without it the window has what the same wall
-# without one has.
+# An overhang hides sky whatever is opposite: without the overhang the window has the sky of the
+# same wall without one.
 cat >"$scratch/plain.xml" <<'END'
 <room version="1" name="plain"><plan width="4" depth="5" height="2.7"/>
 <window wall="south" left="1" sill="0.9" width="2" height="1.4">
@@ -208,8 +208,8 @@ sed 's/height="9"/height="2"/' "$scratch/over.xml" >"$scratch/over_before.xml"
 check "and the share of before" shows " without the overhangs and balconies" \
     assess -c former-sky --by-hand --before "$scratch/over_before.xml" "$scratch/over.xml"
 
-# Of the flat's Bedroom average-df has 1.71 %, where 2 % is wanted and 2.66 % traced: the band
-# begins above 2 %.
+# average-df gives 1.71 % for the Bedroom of the flat; the target is 2 % and the simulated value
+# 2.66 %. The likely range begins above 2 %.
 check "an average that is not met, with its bound between it and the band, is open" sh -c "
     '$pepperpot' assess --by-hand -c average --room Bedroom '$examples/building.xml' |
     grep -A 5 'kitchen ' | tr -s ' \n' ' ' | grep -q 'hand figures cannot decide'"
@@ -222,15 +222,16 @@ check "but not where it is met" sh -c "
 check "as CSV a finding a line" \
     shows "Deep office,,,vertical-sky,\"W1, south\",10," \
     assess --by-hand -c vsc --format csv "$deep"
-# A wall 4 m away and 6 m high, as good as endless: the tangent of its altitude is 4.4/4 from
-# 1.6 m, 4.95/4 from the middle of a French window of 2.1 m, 4.45/4 from that of the other.
+# A wall 4 m away and 6 m high, practically infinitely long: the tangent of its altitude is 4.4/4
+# from 1.6 m, 4.95/4 from the middle of a French window of 2.1 m, 4.45/4 from that of the other
+# window.
 cat >"$scratch/french.xml" <<'EOF'
 <room version="1"><plan width="4.3" depth="5.1" height="2.7"/>
 <window wall="south" left="0.4" sill="0" width="1.5" height="2.1"/>
 <window wall="south" left="2.6" sill="0.9" width="1.1" height="1.3"/>
 <block x="-20000" y="-5" width="40000" depth="1" height="6"/></room>
 EOF
-# VSC = 3/(7 pi) times the sum over the sky that is left of (1 + 2 sin z) cos2 z cos phi.
+# VSC = 3/(7 pi) times the sum of (1 + 2 sin z) cos2 z cos phi over the visible sky.
 vsc_of() {
     awk -v tan="$1" 'BEGIN { pi = atan2(0, -1); n = 400
         for (i = 0; i < n; i++) for (k = 0; k < n; k++) {
@@ -255,8 +256,8 @@ check "or at the height asked for, and others at theirs" \
     near "$(vsc_of 1.1)" "$(vsc_of 1.1125)" "--vsc-point-french 1.6"
 check "a height of 20 m is none" refuses 2 "a height from 0.1 to 10 m" \
     assess --vsc-point-french 20 "$scratch/french.xml"
-# A plane that falls steeply from one window: a coarse grid is not certain of what it says.
-# grid_says WORDS FILE [OPTION ...]: in what is printed, on one line.
+# grid_says WORDS FILE [OPTION ...]: the output, on one line, contains the words. The daylight
+# factor falls steeply from the only window, so a coarse grid leaves verdicts undecided.
 grid_says() {
     words=$1 file=$2
     shift 2

@@ -1,6 +1,6 @@
 #!/bin/sh
-# The atlas: the same bytes however often it was stopped and by however many threads, a
-# room that anybody can work out again, what the methods say anew, and bad input.
+# atlas: identical files with any interruptions and number of threads, rooms that can be
+# recalculated, new results of methods, and bad input.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
@@ -12,7 +12,7 @@ refuses_atlas() {
     shift 2
     refuses "$status" "$text" atlas --error 20% --quiet "$@"
 }
-# field FILE ROOM POINT COLUMN: what stands there.
+# field FILE ROOM POINT COLUMN: the value in this field.
 field() {
     awk -F, -v room="$2" -v point="$3" -v name="$4" '
         /^#/ { next }
@@ -53,7 +53,7 @@ check "one that was killed goes on" atlas --rooms "$rooms" -o "$killed"
 check "to what a run has that was not" atlas --rooms "$rooms" -o "$scratch/never.csv"
 check "to the byte" same "$scratch/never.csv" "$killed"
 
-# What stands in the file, anybody can work out.
+# Any room of the file can be recalculated.
 check "a room's file" gives atlas --room 3
 cp "$scratch/out" "$scratch/room3.xml"
 check "is a room file" gives df --methods exact,bre --format csv "$scratch/room3.xml"
@@ -72,8 +72,8 @@ check "whose rooms have a sky" shows '<sky type="iso-' atlas --room 0 --sky iso
 
 check "methods asked anew" atlas --by-hand "$whole" -o "$scratch/anew.csv"
 check "say the same today" same "$whole" "$scratch/anew.csv"
-# As if split-flux were new: what it says comes back, and the truth of its own world from
-# another method that calculates in the same.
+# As if split-flux were a new method: its column is restored, and the true value in its own world
+# is taken from another method with the same world.
 awk -F, -v OFS=, '/^#/ { print; next }
     !n { for (i = 1; i <= NF; i++) if ($i ~ /split-flux$/) drop[i] = 1; n = 1 }
     { line = ""; for (i = 1; i <= NF; i++) if (!drop[i]) line = line (line == "" ? "" : OFS) $i
@@ -81,7 +81,7 @@ awk -F, -v OFS=, '/^#/ { print; next }
 check "of an atlas that lacks a method" atlas --by-hand "$scratch/less.csv" -o "$scratch/anew.csv"
 check "they make it whole" same "$whole" "$scratch/anew.csv"
 
-# An atlas of 30 rooms in which the method says 0.5, 1 or 4 times what is true.
+# An atlas of 30 rooms in which the method gives 0.5, 1 or 4 times the true value.
 made=$scratch/made.csv
 awk 'BEGIN {
     print "room,point,depth-width,ground,depth,true.df,se.df,df.exact+bre"

@@ -1,11 +1,11 @@
 #!/bin/sh
-# How often daylight is enough: from a weather file or a latitude to figures and charts.
+# availability: from a weather file or a latitude to figures and charts.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
 days=$(cd "$srcdir/tests/formats/epw" && pwd)/four-days.epw
 
-# cell TEXT WORDS: the CSV has a record with that text in it.
+# cell TEXT WORDS: the CSV contains a record with this text.
 cell() {
     text=$1
     shift
@@ -40,8 +40,8 @@ check "a method that does not cover the room says why" \
     shows "  - exact+bre: " availability -w "$days" "$examples/studio.xml"
 check "traced daylight factors" cell ",traced," -w "$days" --simulate --samples 8 -p 1,2 "$deep"
 
-# 13.62 % and 300 lx need 2202 lx; field 19 has that or more in 36 of the 40 hours from 8
-# to 18, and in 31 of 32 from 9 to 17.
+# 13.62 % and 300 lx require 2202 lx; field 19 reaches this in 36 of the 40 hours from 8 to 18, and
+# in 31 of 32 from 9 to 17.
 check "hours are those of the file" \
     cell ',300,2202\.[0-9]*,8-18,90,' -w "$days" -p 1,1 -i 300 "$deep"
 check "and of the period" \
@@ -61,7 +61,7 @@ sed 's/four-days.epw/standard input/' "$scratch/out" >"$scratch/named"
 check "weather from standard input" \
     test "$(tr -s ' \n' ' ' <"$scratch/named")" = "$(tr -s ' \n' ' ' <"$scratch/piped")"
 
-# What is wrong on the command line.
+# Errors on the command line.
 check "no room" refuses 2 "room file" availability --latitude 51
 check "hours that end before they begin" \
     refuses 2 "--hours" availability --hours 17-9 --latitude 51 "$deep"
@@ -81,7 +81,7 @@ check "summer time of no file" \
 check "room and weather from one input" \
     refuses 2 "standard input" availability -w - -
 
-# What is wrong with the file.
+# Errors in the weather file.
 check "a weather file that is not there" \
     refuses 1 "no.epw: cannot be opened" availability -w "$scratch/no.epw" "$deep"
 check "a room for a weather file" \
@@ -119,7 +119,8 @@ check "no median of four days for assess" \
 check "a place by two options" \
     refuses 2 "--place" assess -w "$days" --place London "$deep"
 
-# Probable sun: a year with sun before the clock's noon only, which is the sun's within minutes.
+# Probable sunlight hours: a year with sun only before noon by the clock, which is solar noon
+# within minutes.
 {
     sed -n 1,7p "$days"
     echo "DATA PERIODS,1,1,Year,Sunday,1/1,12/31"

@@ -1,20 +1,20 @@
 #!/bin/sh
-# Bands beside hand figures, what is advised by them, and the table that they are made of.
+# Likely ranges of hand figures, advice derived from them, and the table with their bands.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
 office=$examples/office.xml
 
-# within EXPRESSION: holds it of f, a and b, the daylight factor by exact+bre in JSON and its
-# band?
+# within EXPRESSION: true of f, the daylight factor by exact+bre in JSON, and a and b, the limits
+# of its range.
 within() {
     tr -d '\n ' <"$scratch/out" | grep -o '"df":{"exact+bre":{[^}]*}' | head -n 1 |
         sed 's/.*"value":\([0-9.]*\),"band":\[\([0-9.]*\),\([0-9.]*\)\].*/\1 \2 \3/' |
         awk '{ f = $1; a = $2; b = $3; exit !('"$1"') }'
 }
 
-# Before the window, where the sky gives nearly all, the band is narrow; at the back, where
-# one average stands for what is reflected, it is wide and below the figure.
+# Near the window, where most light comes from the sky, the range is narrow; at the back, where an
+# average represents reflected light, it is wide and below the figure.
 run df -m exact+bre -p 2.1,1 -f json "$office"
 check "a band holds the figure near the window, within a quarter" \
     within 'a < f && f < b && b < 1.25 * f && a > 0.75 * f'
@@ -46,7 +46,8 @@ check "assess has bands in brackets" shows 'Figures in brackets' assess --by-han
 check "size says the band of what it found" \
     shows 'band  ' size --by-hand --target 2% "$office"
 
-# An atlas of one method that is right to a tenth: bands of any half hold the other.
+# An atlas for one method with errors of a tenth: the bands from one half of its rooms contain
+# those of the other half.
 awk 'BEGIN {
     srand(7)
     print "# made\nroom,point,ground,true.df,df.exact+bre"

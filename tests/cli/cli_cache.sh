@@ -1,6 +1,6 @@
 #!/bin/sh
-# df through the irradiance cache: beside the path tracer, by any number of threads, and
-# with the cache in a file, which is whole, of this room, and of these options.
+# df with the irradiance cache: compared with the path tracer, with any number of threads, and with
+# the cache in a file, which must be complete, of the same room and with the same options.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
@@ -86,7 +86,7 @@ check "one room a cache" refuses 2 "--cache stores the records of one room" \
     df $few --cache "$scratch/new" "$examples/building.xml"
 check "a directory that is not there is refused" \
     refuses 3 "cannot be written" df $few --cache "$scratch/none/new" "$deep"
-# full WORDS: on a full disk the program says so, with status 3.
+# full WORDS: on a full disk the command ends with an error message and status 3.
 full() {
     on_full_disk 4 "$@"
     [ $status -eq 3 ] && grep -q "cannot be written" "$scratch/err" || told

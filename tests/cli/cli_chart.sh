@@ -1,5 +1,5 @@
 #!/bin/sh
-# Charts reach their files, in every format.
+# chart: every chart in every format, and its contents.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
@@ -19,7 +19,7 @@ check "dots that are too many" refuses 2 "1200" chart plan --dpi 5000 -o x.png "
 check "a PNG has no pages for several rooms" \
     refuses 2 "--room" chart plan --format png "$examples/building.xml"
 
-# starts_with BYTES FILE
+# starts_with BYTES FILE: the file begins with these bytes.
 starts_with() {
     [ "$(head -c ${#1} "$2")" = "$1" ]
 }
@@ -45,7 +45,7 @@ for example in "$examples"/*.xml; do
     done
 done
 
-# What a plan shows is in its title, and nothing else is drawn under it.
+# The title of a plan names the methods shown, and only they are drawn.
 sums= again=
 for methods in exact exact+bre exact+split-flux brs-table brs-table+bre protractor+bre; do
     check "a plan by $methods" quietly chart plan -m $methods -o "$scratch/m.svg" "$deep"
@@ -71,7 +71,7 @@ differ() {
     ! cmp -s "$1" "$2"
 }
 check "colours are drawn" differ "$scratch/none.svg" "$scratch/colour.svg"
-# A cupboard and a column stand through the plane, a desk below it.
+# A cupboard and a column intersect the working plane, a desk is below it.
 sed 's|</room>|<furniture x="0.2" y="4" width="0.8" depth="0.5" height="2"/>\
 <furniture x="1.4" y="4" width="0.8" depth="0.5" height="0.7"/>\
 <column x="2" y="3" diameter="0.3"/></room>|' "$deep" >"$scratch/furnished.xml"
@@ -304,7 +304,7 @@ run chart section --log --paper a3 --orientation landscape --simulate --samples 
     --methods all -o "$scratch/all.pdf" "$deep"
 check "every option at once" test $status -eq 0
 
-# Where df says that hand figures are not to be relied on, drawings of them do as well.
+# If df warns that hand figures are unreliable, drawings of them contain the same warning.
 well="$examples/situations/light-well.xml"
 for kind in section plan; do
     run chart $kind -o "$scratch/doubt.pdf" "$well"
@@ -319,7 +319,7 @@ if command -v pdftotext >/dev/null; then
     check "a traced plan has none of them" lacks "relied on" "$scratch/doubt.pdf"
 fi
 
-# A wing off a room that is otherwise north of y = 4; a low bed, a high cupboard.
+# wing: a room with a wing south of y = 4, with a low bed and a high cupboard.
 wing() {
     cat <<EOF
 <room version="1"><plan height="2.7">
@@ -346,8 +346,8 @@ if command -v pdftotext >/dev/null; then
     check "a window behind the point is not minus so far away" lacks "^W2, .*away" "$scratch/behind.pdf"
     check "but said to be behind it" has_words "$scratch/behind.pdf" "W2: the point is"
 fi
-# The window's middle is 1.55 m high, the slab at 2.8 m and 1.5 m deep: atan(1.25 / 1.5) is 39.8
-# degrees. Its parapet, above the slab, hides nothing more.
+# The middle of the window is 1.55 m high, the slab at 2.8 m and 1.5 m deep: atan(1.25 / 1.5) is
+# 39.8 degrees. Its parapet, above the slab, hides nothing more.
 cat >"$scratch/balcony.xml" <<'EOF'
 <room version="1"><plan width="4" depth="5" height="2.6"/>
 <window wall="south" left="1" sill="0.8" width="2" height="1.5">
@@ -359,13 +359,13 @@ check_words "under a balcony the sky ends at its slab" "$scratch/balcony.pdf" \
 if command -v pdftotext >/dev/null; then
     check "and no line of sight passes through it" lacks "line of sight" "$scratch/balcony.pdf"
 fi
-# Every point has its value: on the plan where values fit, else in a table by x and y.
+# Every point has its value: on the plan if the values fit, otherwise in a table by x and y.
 cat >"$scratch/grid.xml" <<'EOF'
 <room version="1" name="Grid"><plan width="7" depth="6" height="3"/>
 <window wall="south" left="1" sill="0.9" width="4" height="1.6"/>
 <grid spacing="SPACING" margin="0.5"/></room>
 EOF
-# values FILE.pdf: its numbers with a decimal point and no unit, one a line.
+# values FILE.pdf: the number of words that are numbers.
 values() {
     pdftotext -layout "$1" - | tr -s ' ÷+' '\n' | grep -cE '^[0-9]+(\.[0-9]+)?$'
 }
@@ -379,7 +379,7 @@ if command -v pdftotext >/dev/null; then
     check "180 values are in a table" has_words "$scratch/grid-0.4.pdf" "values in the table"
     check "and all are there" test "$(values "$scratch/grid-0.4.pdf")" -ge 180
 fi
-# Opal glass shows no sky: the plan is not grey.
+# Opal glass shows no sky, but the plan must not be grey.
 sed 's/spacing="SPACING"/spacing="1"/; s/height="1.6"/height="1.6" glazing="opal-acrylic"/' \
     "$scratch/grid.xml" >"$scratch/opal.xml"
 run chart plan -m exact+split-flux -o "$scratch/opal.pdf" "$scratch/opal.xml"
@@ -388,8 +388,8 @@ check_words "a view of the sky through opal glass is not judged" "$scratch/opal.
 if command -v pdftotext >/dev/null; then
     check "nor drawn" lacks "no view of the sky" "$scratch/opal.pdf"
 fi
-# An exercise is solved from its sheet alone: origin and axes, lengths, blocks, a line for
-# the name. The ridge is 6 + 4 tan 45 = 10 m above the floor, the wall 10 m away.
+# An exercise can be solved with its sheet alone: origin and axes, lengths, blocks, a line for the
+# name. The ridge is 6 + 4 tan 45 = 10 m above the floor, the wall 10 m away.
 cat >"$scratch/lecture.xml" <<'EOF'
 <room version="1" name="Lecture"><plan width="6.3" depth="5.1" height="3.2"/>
 <window name="Left" wall="south" left="0.7" sill="0.9" width="1.8" height="1.6"/>
@@ -403,7 +403,7 @@ check_words "an exercise has its data on the sheet" "$scratch/exercise.pdf" \
 if command -v pdftotext >/dev/null; then
     check "but no angle" lacks "line of sight" "$scratch/exercise.pdf"
 fi
-# A title block of the file's project, of which options replace facts.
+# A title block with the project of the file, in which options replace single entries.
 sed 's|<plan|<project client="Smith and Co" revision="A" number="1234"/>&|' \
     "$scratch/lecture.xml" >"$scratch/titled.xml"
 for kind in section plan site elevation; do
@@ -416,7 +416,7 @@ if command -v pdftotext >/dev/null; then
     check "without the fact replaced" lacks "^A$" "$scratch/titled.pdf"
     check "and no block without facts" lacks "client" "$scratch/exercise.pdf"
 fi
-# Where a section is cut: at x, at y, through an opening; the plan has its mark.
+# Positions of a section: at x, at y, through an opening; the plan shows the section line.
 cat >"$scratch/wells.xml" <<'EOF'
 <room version="1" name="Wells"><plan width="9.5" depth="6.1" height="3.3"/>
 <window name="Low" wall="west" left="1" sill="0.9" width="1.2" height="1"/>

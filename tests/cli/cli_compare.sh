@@ -1,10 +1,9 @@
 #!/bin/sh
-# compare: another program's values as CSV, what is wrong with them, and where the
-# difference comes from.
+# compare: another program's values as CSV, errors in them, and the causes of a difference.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
-# A room that is traced in no time.
+# A room that can be simulated quickly.
 cat >"$scratch/room.xml" <<'XML'
 <room version="1" name="Small"><site ground-reflectance="0"/><plan width="3.1" depth="4.3" height="2.7"/>
 <finishes floor="0.15" walls="0.3" ceiling="0.5"/>
@@ -14,14 +13,14 @@ XML
 room=$scratch/room.xml
 other=$scratch/other.csv
 
-# values WORDS: the room's values as if, as CSV on standard output.
+# values WORDS: the values of a variant of the room, as CSV on standard output.
 values() {
     echo x,y,z,df_percent
     "$pepperpot" compare --error 3% --seed 9 --format json --as-if "$1" "$room" |
         sed -n 's/.*"x": \([0-9.]*\), "y": \([0-9.]*\), "z": \([0-9.]*\), "ours": \([0-9.]*\),.*/\1,\2,\3,\4/p'
 }
 
-# ---- what is said ----
+# ---- output ----
 
 check "ours as if, beside ours as they are" \
     shows "Our values use the switches low." compare --error 5% --as-if low "$room"
@@ -41,7 +40,8 @@ check "as JSON, the same with any number of threads" \
 check "with the cause" grep -q '"switch": "bounces=1"' "$scratch/out"
 check "of its own format" grep -q '"format": "pepperpot-compare-1"' "$scratch/out"
 
-# The same values in other words: in the order of the room's points.
+# The same values in another format: with other headings, in lux, in the order of the room's
+# points.
 sed '1s/.*/Label,,,Lux/; s/,.*,/;/; 2,$s/^[0-9.]*/"a"/' "$other" |
     awk -F';' -v OFS=';' 'NR > 1 { $2 *= 100 } { print }' >"$scratch/lux.csv"
 check "in lux, by semicolons, without places" \
@@ -57,7 +57,7 @@ check "with less noise than is left nothing is" \
     shows "is larger than the other" compare --error 5% --noise 3% "$room" "$scratch/uneven.csv"
 check "and none is called sure" nothing "$(grep '^ *sure ' "$scratch/out")"
 
-# Values of another tracer: four reflections of light, and a ground of 0.4 in place of 0.2.
+# Values of another tracer: four reflections, and a ground of 0.4 instead of 0.2.
 cat >"$scratch/yard.xml" <<'XML'
 <room version="1" name="Yard"><site ground-reflectance="0.2"/><plan width="4.4" depth="6" height="2.8"/>
 <finishes floor="0.3" walls="0.55" ceiling="0.75"/>
@@ -66,7 +66,7 @@ cat >"$scratch/yard.xml" <<'XML'
 <facade wall="south" left="6" right="6" up="5" reflectance="0.4"/>
 <block x="-10" y="-20" width="24" depth="8" height="8" reflectance="0.35"/></room>
 XML
-# yard COLUMN: x, y and that column of values.
+# yard COLUMN: x, y and this column of values.
 yard() {
     echo x,y,df_percent
     awk -v column="$1" '{ print $1 "," $2 "," $column }' <<'VALUES'
@@ -101,9 +101,9 @@ check "for sure" grep -q '"sure": true' "$scratch/out"
 check "and what it cannot detect" grep -q '"not-detected"' "$scratch/out"
 check "and no more is left than noise" grep -q '"left-exceeds-noise": false' "$scratch/out"
 
-# ---- what is refused ----
+# ---- rejected input ----
 
-# wrong STATUS TEXT OPTIONS: the CSV on standard input is refused.
+# wrong STATUS TEXT OPTIONS: the CSV on standard input is rejected with this status and text.
 wrong() {
     expected=$1
     text=$2
@@ -189,7 +189,7 @@ check "no second file" refuses 2 "expected a CSV file with the other program's v
 check "a switch mistyped" refuses 2 "--as-if: there is no switch" compare --as-if bonces=2 "$room"
 check "a switch that makes no sense here" \
     refuses 1 "plane=9" compare --as-if plane=9 "$room"
-# On the floor under a desk there is no light, which is no fault of the switch.
+# On the floor below a desk there is no light; the variant that moves points there is not at fault.
 sed 's|<grid |<furniture x="0.2" y="1" width="1.2" depth="2" height="0.74"/><grid |' "$room" >"$scratch/desk.xml"
 check "points moved under a desk" \
     shows "switches plane=0" compare --error 5% --as-if plane=0 "$scratch/desk.xml"
@@ -200,10 +200,10 @@ check "a ground that reflects too much" \
     refuses 2 "ground is \"1.2\"; expected a number from 0 to 1" compare --as-if ground=1.2 "$room"
 check "a unit mistyped" refuses 2 "percent, fraction or lux" compare --as per-cent "$room" "$other"
 
-# ---- in a scene ----
+# ---- an imported scene ----
 
-# An even sky over coloured ground without an end: half the sky and half the ground at a
-# place that looks sideways, and so on. The other program has green for luminance.
+# A uniform sky over infinite coloured ground: a sensor that faces sideways sees half of each. The
+# other program's luminance is its green channel.
 cat >"$scratch/scene.rad" <<'RAD'
 void glow even 0 0 4 1 1 1 0
 even source sky 0 0 4 0 0 1 180

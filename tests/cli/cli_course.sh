@@ -1,5 +1,5 @@
 #!/bin/sh
-# The exercises of docs/course.md have the answers that the program finds in their rooms,
+# The answers to the exercises in docs/course.md are the results of the program for their rooms,
 # and their commands draw the sheets.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
@@ -41,7 +41,7 @@ while IFS='|' read -r asked told; do
     check "$room: $words is $told %" is_near "$told" $(found "$words")
 done <"$scratch/answers"
 
-# drawn WORDS: a sheet, of a room of that name among the situations.
+# drawn WORDS: draws a sheet for a room in the folder of situations.
 drawn() {
     (cd "$rooms" && "$pepperpot" chart "$@" -o "$scratch/sheet.pdf" 2>"$scratch/err") &&
         test -s "$scratch/sheet.pdf"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# What df computes and how it is laid out; its JSON is looked at by test_df_json.
+# df: its results and layout; test_df_json tests its JSON.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
@@ -78,7 +78,7 @@ check "a sky with a sun" shows "type 12, sun 30 deg high, bearing 180" \
     df --sky iso-12,30,180 --methods exact "$deep"
 check "one room of a building" shows "Kitchen" df --room Kitchen "$examples/building.xml"
 check "and no other" nothing "$(grep Bedroom "$scratch/out")"
-# Where hand figures cannot be relied on.
+# Warnings that hand figures are unreliable.
 check "a method with another ground is named" \
     shows "bre, average-df: assumed ground reflectance" df --methods exact+bre,average-df "$deep"
 sed 's/ground-reflectance="0.2"//; s/<site /<site ground-reflectance="0.1" /' "$deep" \
@@ -108,7 +108,7 @@ check "a table that ends at twice the width is named" shows "\"kind\": \"proport
     df --methods exact+bre-min --format json "$deep"
 check "several files" shows "l-shaped.xml" df "$deep" "$examples/l-shaped.xml"
 
-# Corrections: what is assumed stands under the title, what is not counted below.
+# Corrections: the assumptions are below the title, losses that are not counted at the end.
 cat >"$scratch/corrected.xml" <<EOF
 <room version="1"><site surroundings="urban" work="dirty"/>
   <plan width="4" depth="5" height="2.8"/><finishes decorations="auto"/>
@@ -118,7 +118,7 @@ cat >"$scratch/corrected.xml" <<EOF
 EOF
 check "dirt by work, a frame and curtains by name" \
     shows "frame factor 0.825" df -m bre,bre-min,average-df "$scratch/corrected.xml"
-# on_one_line: what was printed, whatever the lines that it fills.
+# on_one_line: the output with line breaks replaced by blanks.
 on_one_line() {
     tr -s '\n ' ' ' <"$scratch/out"
 }
@@ -146,26 +146,28 @@ check "which has no figures for dirty work" \
     refuses 1 "has no figures for industrial surroundings or dirty work" \
     df "$scratch/unknown.xml"
 
-# CSV: the same number of fields everywhere, lines that end as RFC 4180 says.
+# CSV: the same number of fields in every line, and line ends as in RFC 4180.
 check "CSV has 15 fields a line" gives df --format csv --methods all "$deep"
 check "on every line without quotes" \
     nothing "$(grep -v '"' "$scratch/out" | awk -F, 'NF != 15')"
 check "and ends lines with CR LF" \
     test "$(tr -dc '\r' <"$scratch/out" | wc -c)" -eq "$(wc -l <"$scratch/out")"
 
-# The simulation: bytes do not depend on threads; the clock is marked.
+# Simulation: the output does not depend on the number of threads; results limited by time are
+# marked.
 check "1, 2 and 4 threads give the same bytes" same_by_threads "1 2 4" \
     df --simulate --samples 16 --format json "$deep"
 "$pepperpot" df --simulate --samples 16 --seed 2 --format json "$deep" >"$scratch/seed"
 check "another seed gives other bytes" \
     sh -c "! cmp -s '$scratch/seed' '$scratch/by_threads'"
-# The mean inside 0.5 m: as that of a fine grid there, of the sky component and traced.
+# The mean inside a margin of 0.5 m equals that of a fine grid, for the sky component and the
+# simulation.
 cat >"$scratch/margin.xml" <<'EOF'
 <room version="1"><plan width="3" depth="4" height="2.7"/>
   <window wall="south" left="0.4" sill="1" width="2.2" height="1.4"/>
   <grid spacing="0.1" margin="0.5"/></room>
 EOF
-# mean PLACE COMPONENT METHOD: of the lines of a CSV.
+# mean PLACE COMPONENT METHOD: mean over the lines of a CSV.
 mean() {
     awk -F, -v place="$1" -v component="$2" -v method="$3" '
         $3 == place && $10 == component && $11 == method { sum += $12; n++ }
@@ -196,7 +198,7 @@ check "--time stops" shows "stopped at the --time limit" df -s --time 300ms "$de
 check "no progress bar but on a terminal" nothing "$(cat "$scratch/err")"
 
 if script -qec true /dev/null >/dev/null 2>&1 </dev/null; then
-    # seen WORDS: what a terminal shows of a run of a second.
+    # seen WORDS: the output on a terminal during a run of a second.
     seen() {
         script -qec "'$pepperpot' df $* --simulate --time 1s '$deep' >/dev/null" \
             /dev/null </dev/null
@@ -210,7 +212,8 @@ else
     skip "on a terminal there is one" "there is no script(1) to make one"
 fi
 
-# Behind a block that touches its window a room is dark, and nothing over nothing no number.
+# Behind a block that touches its window a room is dark; ratios with a denominator of zero have no
+# value.
 cat >"$scratch/closed.xml" <<EOF
 <room version="1"><plan width="4" depth="5" height="3"/>
 <window wall="south" left="1" sill="1" width="2" height="1.5"/>
@@ -220,8 +223,8 @@ check "a dark plane has no uniformity" sh -c "
     '$pepperpot' df -m exact --simulate --samples 4 '$scratch/closed.xml' |
         grep -E '^  traced .* -  +0%  +0%  +0%$'"
 
-# Sunlight that a blind scatters in a black room, by the integral of btdf times the sun's
-# illuminance over the window: 169.2 lx.
+# Sunlight scattered by a blind in a black room: the integral of btdf times the sun's illuminance
+# over the window is 169.2 lx.
 cat >"$scratch/blind.xml" <<EOF
 <room version="1"><site ground="open" ground-reflectance="0"/>
 <plan width="4" depth="5" height="2.8"/><finishes floor="0" walls="0" ceiling="0"/>

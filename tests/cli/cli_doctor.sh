@@ -1,5 +1,5 @@
 #!/bin/sh
-# doctor reports this installation and checks it; its test page is at true scale.
+# doctor: reports about this installation, and a test page with true scale.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 

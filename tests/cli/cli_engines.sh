@@ -1,5 +1,5 @@
 #!/bin/sh
-# df by several engines, side by side: what each says and how far they are apart.
+# df with several engines: their results and differences.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
@@ -8,7 +8,7 @@ check "photons stand beside paths" shows "photons: by photons from the openings"
     df -s --engine path,photons -m exact+bre --error 2% "$here" "$deep"
 check "with their distance in standard errors" grep -q "diff./s.e." "$scratch/out"
 
-# No farther apart than four standard errors of the difference, which is one in 16,000.
+# Differences of at most four standard errors, exceeded once in 16,000 cases.
 check "as JSON" gives df -s --engine path,photons,cache -m exact+bre --error 2% "$here" \
     --format json "$deep"
 check "and agree with them" sh -c "tr ',{}' '\\n\\n\\n' <'$scratch/out' | awk -F: '
@@ -17,7 +17,7 @@ check "the same by 1, 2 and 4 threads" same_by_threads "1 2 4" \
     df -s --engine photons --samples 32 "$here" --format csv "$deep"
 check "photons alone are what hand figures are held against" \
     shows "off, %" df -s --engine photons -m exact+bre --error 3% "$here" "$deep"
-# Discs of 1 m across catch enough of them within seconds.
+# Discs with a diameter of 1 m receive enough photons within seconds.
 check "counted on discs" gives df -s --engine photons --sensor 0.5 --error 4% "$here" \
     --format csv "$deep"
 check "which are near what the points get" sh -c "awk -F, '\$11 == \"photons\" &&
@@ -41,7 +41,7 @@ check "a disc has a radius" refuses 2 "0.001 to 10 m" \
 check "an engine that there is not" refuses 2 "path, cache, photons, radiosity or plain" \
     df -s --engine rays "$deep"
 
-# In a suite, room by room.
+# A suite that compares the engines room by room.
 check "a suite of all engines" gives validate engines --samples 64 "$deep" \
     --format csv
 check "holds photons, radiosity and cache against paths" sh -c \

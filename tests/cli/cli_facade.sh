@@ -1,5 +1,5 @@
 #!/bin/sh
-# A room whose outside wall goes on beyond it, from the command line.
+# A room whose external wall continues beyond the room.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
@@ -30,7 +30,7 @@ check "four points by two methods" test "$(wc -l <"$scratch/facade.sky")" -eq 8
 check "the sky is that of a reveal as deep as the facade" same \
     "$scratch/facade.sky" "$scratch/reveal.sky"
 
-# lines FILE: how many are drawn in an SVG.
+# lines FILE: number of paths in an SVG.
 lines() {
     grep -c '<path' "$1"
 }
@@ -41,7 +41,7 @@ for kind in plan section; do
     check "to be seen" test "$(lines "$scratch/$kind.svg")" -gt "$(lines "$scratch/plain-$kind.svg")"
 done
 
-# lacks WORDS FILE: a PDF, as text, has none of them.
+# lacks WORDS FILE: the text of a PDF does not contain the words.
 lacks() {
     pdftotext "$2" "$scratch/words.txt" && ! grep "$1" "$scratch/words.txt"
 }

@@ -1,18 +1,18 @@
 #!/bin/sh
-# --formula and --list-formulas: a reader's variant beside the published formula, and what
-# is said of one that is wrong.
+# --formula and --list-formulas: a variant of a formula next to the published one, and errors in
+# formulae.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
 office=$examples/office.xml
 
-# value COLUMN COMPONENT [PLACE]: of the average or the one point, in the last CSV.
+# value COLUMN COMPONENT [PLACE]: value of the average, or of a point, in the last CSV.
 value() {
     awk -F, -v c="$1" -v k="$2" -v at="${3:-average}" '$3 == at && $10 == k && $11 == c { print $12 }' \
         "$scratch/out"
 }
 
-# ratio A B WANTED: is A/B what it shall be, to the printed digits?
+# ratio A B WANTED: A/B equals the number to the printed digits.
 ratio() {
     awk -v a="$1" -v b="$2" -v w="$3" 'BEGIN { r = a / b
         if (!(a > 0 && r > w - 1e-8 && r < w + 1e-8)) { print a " / " b " is " r; exit 1 } }'
@@ -65,7 +65,7 @@ check "a formula that divides by zero in a room has no value" \
 check "one for panes that the room has not says so" shows "does not apply to any of the room's" \
     df --formula 'split-flux: irc = u C' -m split-flux "$office"
 
-# refused TEXT COLUMN WORDS
+# refused TEXT COLUMN WORDS: the formula is rejected at this column.
 refused() {
     check "\"$1\" is refused in column $2" refuses 2 "--formula, column $2: " \
         df --formula "$1" "$office"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# import of gbXML files: a room file that the other commands take, and what was missing.
+# import of gbXML: room files that other commands accept, and notes on missing data.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
@@ -13,7 +13,7 @@ loop() {
     echo "</PolyLoop></PlanarGeometry>"
 }
 
-# surface TYPE INSIDE X Y Z ...
+# surface TYPE INSIDE X Y Z ...: a Surface with this content and these corners.
 surface() {
     echo "<Surface id=\"$1\" surfaceType=\"$1\"><AdjacentSpaceId spaceIdRef=\"sp-1\"/>"
     inside=$2
@@ -22,7 +22,7 @@ surface() {
     echo "$inside</Surface>"
 }
 
-# A room of 4 x 6 x 3 m with a window to the south, with the byte order mark of its program.
+# A room of 4 x 6 x 3 m with a window facing south; the file begins with a byte order mark.
 {
     printf '\357\273\277<?xml version="1.0" encoding="UTF-8"?>\n'
     echo '<gbXML xmlns="http://www.gbxml.org/schema" lengthUnit="Meters" version="6.01">'

@@ -49,7 +49,7 @@ check "with a height" shows "eye at (1, 2, 1.7) m" $glare $sky --view 1,2,1.7,90
 check "in an hour of the weather file" shows "2001-06-21 12:00" \
     $glare -w "$scratch/year.epw" --when "2001-06-21 12:00" "$room"
 
-# A record with direct light alone, which a note on the year dates.
+# A record with direct light only, whose date is reported in a note on the year.
 awk -F, -v OFS=, 'NF > 15 && $2 == 12 && $3 == 28 && $4 == 13 { $15 = 300; $16 = 0 } 1' \
     "$scratch/year.epw" >"$scratch/black.epw"
 check "also of a file with a black sky" shows "2001-06-21 12:00" \
@@ -58,7 +58,7 @@ check "also of a file with a black sky" shows "2001-06-21 12:00" \
 check "a year" shows "EN 17037: level" $year "$room"
 check "its hours" shows "8 to 18 h on all days, 3650 hours" $year "$room"
 check "its JSON" shows '"hours_above_0.45"' $year -f json "$room"
-# At night there is no glare: the level is high.
+# At night there is no glare, so the level is high.
 check "a night shift has no glare" shows "EN 17037: level high" $year --hours 20-24 "$room"
 check "dark hours are occupied hours" shows '"occupied_hours": 3650' $year -f json "$room"
 

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Room files from everywhere, wrong ones too: nothing is computed, all mistakes are said.
+# Room files from various programs and with errors: all mistakes are reported, and nothing is
+# calculated.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
@@ -65,7 +66,7 @@ cp "$deep" "$scratch/--methods"
 check "a file whose name is an option, behind --" \
     sh -c "cd '$scratch' && '$pepperpot' df -- --methods >out"
 
-# gapped GAP: a room given face by face, whose street wall ends that short of the corner.
+# gapped GAP: a room described by its faces, whose street wall ends this far from the corner.
 gapped() {
     cat <<XML
 <room version="1" name="gap"><envelope>
@@ -81,7 +82,7 @@ $(face wall left "0 0 0" "0 5.3 0" "0 5.3 2.7" "0 0 2.7")
 XML
 }
 
-# face ROLE NAME "X Y Z"...
+# face ROLE NAME "X Y Z"...: a face with these corners.
 face() {
     printf '<face role="%s" name="%s">' "$1" "$2"
     shift 2
@@ -102,12 +103,12 @@ check "one of a millimetre is open, however it rounds" \
 gapped 3.101 >"$scratch/gap.xml"
 check "on either side" refuses 1 "the envelope is open" df "$scratch/gap.xml"
 
-# What others wrote reaches no terminal as it is.
+# Text from files and arguments is escaped before it reaches a terminal.
 escape=$(printf '\033[31m')
 check "a message with a control character" refuses 1 '\x1b[31m' df "no${escape}such"
 check "shows it in letters" nothing "$(grep -F "$escape" "$scratch/err")"
 
-# Rooms without any window have no light, and that is no mistake, but doubtful.
+# A room without windows has no daylight: a warning, not a mistake.
 printf '<room version="1" name="a,&quot;b"><plan width="3" depth="4" height="2.7"/>%s</room>' \
     '<point x="1" y="1"/>' >"$scratch/closed.xml"
 run df "$scratch/closed.xml"

@@ -1,9 +1,9 @@
 #!/bin/sh
-# Rooms of hundreds of like parts are answered; bench/bench_large_rooms has the times.
+# Rooms with hundreds of similar parts are calculated; bench/bench_large_rooms measures the times.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
-# room PARTS: a room with one window, or as many as PARTS has, and one point.
+# room PARTS: a room with one point and one window, or with the windows in PARTS.
 room() {
     printf '<room version="1"><site latitude="51.5"/>%s%s</room>' "$1" \
         '<point x="1.1" y="0.7"/>'
@@ -11,7 +11,7 @@ room() {
 box='<plan width="3.1" depth="9.3" height="2.7"/>'
 window='<window wall="south" left="0.35" sill="0.8" width="2.4" height="1.5"/>'
 
-# blocks N: half a metre wide, on a field before the window.
+# blocks N: blocks half a metre wide on a field in front of the window.
 blocks() {
     awk -v n="$1" 'BEGIN { for (i = 0; i < n; i++)
         printf "<block x=\"%.2f\" y=\"%.2f\" width=\"0.5\" depth=\"0.5\" " \
@@ -19,8 +19,8 @@ blocks() {
             -6 - int(i / 23) * 0.97, 1 + i * 37 % 101 / 40, i * 13 % 90 }'
 }
 
-# ring N INNER PARTS: a plan of N corners at 10 m and INNER m from its middle by turns; PARTS
-# is what awk prints for wall w.
+# ring N INNER PARTS: a plan whose N corners are alternately 10 m and INNER m from its centre; awk
+# prints PARTS for each wall w.
 ring() {
     awk -v n="$1" -v inner="$2" 'BEGIN {
         printf "<plan height=\"2.7\">"

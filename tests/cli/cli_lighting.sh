@@ -1,11 +1,11 @@
 #!/bin/sh
-# Electric light saved by daylight: controls, recounted from the hourly illuminances;
-# schedules for thermal simulation; limits; and wrong options.
+# Electric light saved by daylight: controls, recalculated from the hourly illuminances; schedules
+# for thermal simulation; limits; wrong options.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
-# make_epw NAME RECORDS FEBRUARY: a year at Brussels of so many records an hour. The light
-# changes from day to day, and within each hour as clouds do.
+# make_epw NAME RECORDS FEBRUARY: a year at Brussels with this number of records an hour. The light
+# changes from day to day, and within each hour like that of passing clouds.
 make_epw() {
     awk -v n="$2" -v february="$3" 'BEGIN {
         print "LOCATION,Brussels,-,BEL,made up,064510,50.90,4.53,1.0,58.0"
@@ -36,7 +36,7 @@ stepped="--lighting stepped,steps=3,at=2,power=100W"
 dimmed="--lighting dimmed,residual-light=0.1,residual-power=0.2,end=off,power=100W"
 manual="--lighting manual,power=100W"
 
-# figure NAME: the values of that figure in the JSON output, one for each control.
+# figure NAME: the values of this figure in the JSON output, one for each control.
 figure() {
     awk -v name="\"$1\":" '$1 == name { sub(/,$/, "", $4); print $4 }' "$scratch/out"
 }
@@ -62,7 +62,7 @@ recount() {
         END { for (i = 1; i <= 4; i++) print kwh[i] / 10 }' "$1"
 }
 
-# agree TOLERANCE NUMBERS NUMBERS: two lists of four, none of them trivial.
+# agree TOLERANCE NUMBERS NUMBERS: two lists of four numbers agree, none of which is trivial.
 agree() {
     echo "$2" $3 | tr '\n' ' ' | awk -v most="$1" '{
         for (i = 1; i <= 4; i++)
@@ -80,7 +80,7 @@ done
 check "hourly means misjudge on-off switching under clouds" \
     test "$(figure misjudged-by-hourly-means | awk 'NR == 1 { print ($1 > 3 || $1 < -3) }')" = 1
 
-# A schedule has a line of headings, and a fraction for each hour.
+# A schedule has a line of headings and a fraction for each hour.
 schedule="--schedule $scratch/schedule.csv"
 run $annual -w "$scratch/quarters.epw" -f json $stepped $schedule --hours 9-16 --days mon-fri "$room"
 used=$(figure used-kwh)
@@ -97,7 +97,7 @@ check "29 February on request" test "$(wc -l <"$scratch/schedule.csv")" -eq 8785
 check "a column for each control" test "$(awk 'END { n = split($0, a, ","); print n }' \
     "$scratch/schedule.csv")" -eq 2
 
-# Limits. Light of lamps that are dimmed to 0 is what daylight lacks: 1 - min(1, E/target).
+# Limits. Lamps dimmed to 0 supply the missing light: 1 - min(1, E/target).
 weather="$annual -w $scratch/year.epw"
 run $weather -f json --hours 20-24 $on_off $stepped $dimmed $manual "$room"
 check "at night nothing is saved" test "$(figure saved | sort -u)" = 0

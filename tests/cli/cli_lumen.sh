@@ -1,5 +1,5 @@
 #!/bin/sh
-# The lumen method from the command line, with the user's own tables.
+# The lumen method, with tables supplied by the user.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 

@@ -21,8 +21,8 @@ hand() { "$pepperpot" df --format csv "$1" | grep ',df,exact+bre' | cut -d, -f4-
 check "hand methods take its diffuse reflectance" sh -c \
     "test '$(hand "$room" | cut -c-12)' = '$(hand "$scratch/matt.xml" | cut -c-12)'"
 
-# The floor reflects the window's light towards the back of the room, as no matt floor
-# does: by paths, cache and photons alike, within 4 standard errors or 2 %.
+# The floor reflects the light of the window towards the back of the room, unlike a matt floor:
+# path tracer, cache and photons agree within 4 standard errors or 2 %.
 check "df simulates it with three engines" gives df -s --engine path,cache,photons \
     --error 2% --format csv "$room"
 cp "$scratch/out" "$scratch/rough"

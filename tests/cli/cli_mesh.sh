@@ -1,12 +1,12 @@
 #!/bin/sh
-# Neighbours from files: the same figures as the same block, a street of 100,000 triangles,
-# what is refused.
+# Neighbours from mesh files: the same figures as with a block of the same shape, a street of
+# 100,000 triangles, rejected files.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 LC_ALL=C
 export LC_ALL
 
-# room ELEMENTS: the room with these outside.
+# room ELEMENTS: the room with these elements outside.
 room() {
     printf '%s\n' '<room version="1" name="Office">' \
         '<plan width="4.1" depth="6.2" height="2.7"/>' \
@@ -25,8 +25,8 @@ houses() {
         }
     }'
 }
-# figures METHOD WORDS: lines of value and, where there is one, standard error by the
-# method, of all components, points and the average.
+# figures METHOD WORDS: lines with the value and, if it exists, the standard error by the method,
+# for all components, points and the average.
 figures() {
     method=$1
     shift
@@ -34,22 +34,22 @@ figures() {
         grep -o "\"$method\": { \"value\": [^,}]*\(, \"se\": [^,}]*\)*" |
         sed 's/[^:]*: { "value": //; s/, "se": / /'
 }
-# near FILE FILE: the same values to 1e-8 per cent, what ten digits and the cuts between two
-# triangles of a side leave of them, and some of them.
+# near FILE FILE: the values agree to 1e-8 per cent, the precision of ten digits and of cuts
+# between two triangles of a side; there are some values.
 near() {
     paste "$1" "$2" | awk '
         NF != 2 { bad = 1 }
         { d = $1 - $2; if (d > 1e-8 || -d > 1e-8) bad = 1 }
         END { exit bad || NR < 6 }'
 }
-# within FILE FILE: the same values to 3 of their standard errors, and some of them.
+# within FILE FILE: the values agree within 3 standard errors; there are some values.
 within() {
     paste "$1" "$2" | awk '
         NF != 4 { bad = 1 }
         { d = $1 - $3; e = 3 * sqrt($2 * $2 + $4 * $4); if (d > e || -d > e) bad = 1 }
         END { exit bad || NR < 6 }'
 }
-# differs COMMAND: does it fail?
+# differs COMMAND: succeeds if the command fails.
 differs() {
     ! "$@"
 }
@@ -60,7 +60,7 @@ f 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\nf 5 6 7 8\n' >"$scratch/box.obj"
 room '<block x="-4.1" y="-14.2" width="10" depth="6" height="8.3"/>' >"$scratch/block.xml"
 room '<mesh file="box.obj" scale="0.001"/>' >"$scratch/mesh.xml"
 room '' >"$scratch/open.xml"
-# The same with y up, and another origin, turned by a right angle.
+# The same mesh with y up, another origin, and rotated by a right angle.
 awk '/^v/ { print "v", $3, $4, $2; next } 1' "$scratch/box.obj" >"$scratch/up.obj"
 room '<mesh file="up.obj" up="y" scale="0.001" rotate="90"/>' >"$scratch/up.xml"
 
@@ -82,11 +82,11 @@ check "JSON says how many triangles" shows '"mesh-triangles": 10' df -m exact -f
 check "and meshes" grep -q '"meshes": 1,' "$scratch/out"
 check "of a block none" shows '"mesh-triangles": 0' df -m exact -f json "$scratch/block.xml"
 
-# A sized room in another folder has its mesh where it was.
+# A sized room written to another folder still finds its mesh.
 mkdir "$scratch/sized" "$scratch/sized/deep" "$scratch/R&D's"
 ln -s sized/deep "$scratch/link"
 room '<mesh file="../box.obj" scale="0.001"/>' >"$scratch/R&D's/own.xml"
-# sizes FILE FILE: writes the room file sized, and the figures of that.
+# sizes FILE FILE: sizes a room, writes it to the second file, and prints its figures.
 sizes() {
     "$pepperpot" size --target 1% --by-hand -q "$1" -w "$2" >/dev/null && figures exact "$2"
 }
@@ -120,7 +120,7 @@ check "of too many points the exact method does, too" \
 houses 300 >"$scratch/few.obj"
 room '<site latitude="51.5" longitude="0"/><mesh file="few.obj"/>' |
     awk '/<site/ { site = 1 } 1' >"$scratch/few.xml"
-# A house each is one roof of four edges, however many triangles it has.
+# Each house is one roof with four edges, however many triangles it has.
 check "a plan of the site has roofs, not triangles" quietly chart site -o "$scratch/site.svg" "$scratch/street.xml"
 check "and is small" test "$(wc -c <"$scratch/site.svg")" -lt 400000
 check "sun paths have one outline of the street" sh -c "
@@ -133,8 +133,8 @@ check "so are elevations" refuses 1 "expected at most 2000" \
 check "the line of what sees sky is not judged" shows "more than 10,000 triangles" \
     assess --by-hand -c nsl,rights-of-light "$scratch/street.xml"
 
-# Leaves hide one another: what is open between them is in thousands of pieces, which a view is
-# cut into, but not each of the thousands of looks of an average.
+# Leaves that hide one another: the sky between them is divided into thousands of pieces. A view is
+# cut into these pieces once, not for each of the thousands of directions of an average.
 awk 'BEGIN { srand(1)
     for (i = 0; i < 12000; i++) {
         x = 23 * rand() - 10; y = -3 - 17 * rand(); z = 8 * rand()

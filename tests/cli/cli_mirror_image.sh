@@ -1,5 +1,5 @@
 #!/bin/sh
-# A new building beside the old one's own mirror image at the boundary.
+# A new building compared with the mirror image of the old one at the boundary.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 LC_ALL=C
@@ -19,7 +19,7 @@ site >"$scratch/terrace.xml" <<'EOF'
 <block name="Shed" state="existing" x="-5" y="-12" width="9" depth="3" height="2.5"/>
 <block name="Tower" state="proposed" x="-2" y="-16" width="8" depth="6" height="14"/>
 EOF
-# The boundary is 5.5 m before the front: the image stands 11 m from it.
+# The boundary is 5.5 m in front of the façade, so the mirror image is 11 m away.
 site >"$scratch/image.xml" <<'EOF'
 <block x="0" y="-16.3" width="4.2" depth="5.3" height="5.4"/>
 EOF

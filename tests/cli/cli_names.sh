@@ -1,6 +1,6 @@
 #!/bin/sh
-# Results show the names that the user gave: tables and JSON have an opening's label (its
-# name, or W1), its name and its wall; the line of the file stands beside them in JSON.
+# Results use the user's names: tables and JSON have an opening's label (its name, or W1), its name
+# and its wall; JSON also has the line of the file.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# What placed rooms carry outside: before the others as written out by hand.
+# Exterior parts of placed rooms obstruct the other rooms like elements written out by hand.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 LC_ALL=C
@@ -20,8 +20,8 @@ cat >"$scratch/flats.xml" <<EOF
   <facade wall="south" left="1.1" right="2.3" up="5.2" depth="0.35"/></room>
 </building>
 EOF
-# In the lower room's axes; the bodies as blocks, the upper facade's piece between the storeys
-# and that round it as two plates.
+# In the axes of the lower room: the rooms as blocks, the part of the upper façade between the
+# storeys and the part around it as two plates.
 plate() {
     printf '<surface>'
     for corner; do
@@ -66,7 +66,7 @@ sed 's/right="0.7"/right="7"/; s/x="13" y="-13" rotate="180"/x="12" y="-3" z="3.
 check "a balcony that goes through a room" refuses 1 'balcony: intersects a' \
     df "$scratch/through.xml"
 
-# Light from the house opposite, less where its window is darker than its wall.
+# Light from the house opposite, reduced where its window is darker than its wall.
 sed 's/name="Flats"/& glass-reflectance="0.2"/' "$scratch/flats.xml" >"$scratch/same.xml"
 sed 's/name="Flats"/& glass-reflectance="0.05"/; s/right="2.3" up="5.2" depth="0.35"/reflectance="0.2"/' \
     "$scratch/flats.xml" >"$scratch/dark.xml"

@@ -1,12 +1,12 @@
 #!/bin/sh
-# Rooms nested within a coarse model: against the whole model, and bad input.
+# Rooms nested in a coarse model, compared with the complete model, and bad input.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
 mkdir "$scratch/model"
 cd "$scratch/model" || exit 1
 
-# room NAME ATTRIBUTES CHILDREN: a room file.
+# room NAME ATTRIBUTES CHILDREN: writes a room file.
 room() {
     printf '<room version="1" name="%s" %s>%s</room>\n' "$1" "$2" "$3" >"$1.xml"
 }
@@ -91,7 +91,7 @@ check "the report names the model" shows \
 check "the section shows the line of sight to the edge of the roof" says section.pdf \
     "line of sight 38"
 
-# Turned by 90 degrees, the wall named north of the atrium faces west.
+# Rotated by 90 degrees, the wall of the atrium named north faces west.
 room turned 'north="-90"' "$(printf %s "$atrium$window$roof" | sed 's/"north"/"east"/
     s/width="6" depth="10"/width="10" depth="6"/
     s/x="0.5" y="0.5" width="5" depth="9"/x="0.5" y="0.5" width="9" depth="5"/')"
@@ -99,7 +99,7 @@ room office-turned 'within="turned.xml"' "$office"
 factors office-turned.xml >turned
 check "a model drawn in other axes is turned by its bearing of north" agree turned whole
 
-# Nothing shines through the joint of the two models.
+# No light passes through the joint between the two models.
 room dark '' "$atrium$window"
 room office-dark 'within="dark.xml"' "$office"
 factors office-dark.xml >dark
@@ -136,7 +136,7 @@ check "also if the street is a room without a roof" agree nested whole
 check "where hand methods apply" sh -c \
     "'$pepperpot' df --format csv canyon-office.xml | grep -q 'sc,exact,[0-9]'"
 
-# The export has the atrium and its roof: our own reader of scenes gives the same.
+# The export contains the atrium and its roof: the import of the scene gives the same figures.
 check "export writes the coarse model" "$pepperpot" export --to radiance office.xml -o scene
 (cd scene && "$pepperpot" import --points-file points.pts --error 1% --format csv \
     materials.rad room.rad glazing.rad outside.rad sky.rad 2>/dev/null) >imported

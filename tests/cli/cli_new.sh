@@ -1,5 +1,5 @@
 #!/bin/sh
-# new writes room files that every command takes; help and FILE.xml are short ways.
+# new writes room files that every command accepts; help and FILE.xml are short forms.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
@@ -33,7 +33,7 @@ check "which gets the whole file" grep -q '^</room>' piped
 check "with a name to fill in" grep -q "pepperpot df FILE.xml" piped
 check "a folder is refused" refuses 2 "exists; expected another name" new office -o .
 
-# Names that a comment of XML cannot contain.
+# File names that a comment in XML cannot contain.
 latin=$(printf 'caf\351.xml')
 lines=$(printf 'two\nlines.xml')
 for name in "$latin" "$lines" a--b.xml; do

@@ -1,11 +1,10 @@
 #!/bin/sh
-# The typeset note of a point says what df --explain says of it, formula for formula and
-# figure for figure.
+# The typeset note of a point has the same formulae and figures as df --explain.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
-# Formulae without what print sets otherwise (blanks, underscores, powers, stars), and
-# values with their units, one a line.
+# Formulae without characters that are typeset differently (blanks, underscores, powers, stars),
+# and values with their units, one per line.
 plain='
     function bare(text) { gsub(/[ _^,]|\303\227|\*/, "", text); return text }
     function is_value(text) { return text ~ /^-?[0-9]+(\.[0-9]+)?( %| m| m²| lx|°)?$/ }'
@@ -25,8 +24,8 @@ explained() {
     ' "$scratch/out"
 }
 
-# In the order in which the note is drawn: a formula, the values put in (left out here), a
-# value, then what it is.
+# In the order of the note: a formula, the same with values inserted (skipped here), the result,
+# then its meaning.
 noted() {
     pdftotext -raw "$1" - | ${AWK:-awk} "$plain"'
         / by [a-z0-9+-]*(, of the room)?$/ { steps = 1; next }
@@ -70,7 +69,7 @@ if command -v pdftotext >/dev/null; then
     }
     check "values stand in their symbols' places" values \
         '= 0.85 × 1.560 / (100.512 × (1 − 0.5221)) × (31.0000 × 0.4056 + 5 × 0.6922)'
-    # 0.85 x 1.56 / (100.512 x 0.4779) x (12.5736 + 3.461) by hand.
+    # 0.85 x 1.56 / (100.512 x 0.4779) x (12.5736 + 3.461), calculated by hand.
     check "and come to what is printed" values '0.4426 %'
 else
     skip "the note and --explain agree" "no pdftotext here"

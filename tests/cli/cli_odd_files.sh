@@ -1,9 +1,9 @@
 #!/bin/sh
-# Files that are valid but unusual, or hostile: read as they are meant, or refused in words.
+# Valid but unusual files, and malicious ones: read correctly, or rejected with a message.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
-# Scenes of Radiance.
+# Radiance scenes.
 printf '\357\273\277void plastic w 0 0 5 .5 .5 .5 0 0\nw sphere s 0 0 4 0 0 0 1\n' >"$scratch/ball.rad"
 check "a byte order mark is passed over" shows "spheres           1" \
     import --summary "$scratch/ball.rad"
@@ -46,12 +46,12 @@ echo "<building version=\"1\"><room name=\"=1+1\" x=\"0\" y=\"0\">$box<point x=\
     >"$scratch/formula.xml"
 check "a name that a spreadsheet would run is marked" shows ",'=1+1,point," \
     df -m exact -f csv "$scratch/formula.xml"
-# One process that srun started is a process as any other; several need the module.
+# A single process started by srun runs normally; several need the module.
 check "a single rank" sh -c "PMI_RANK=0 PMI_SIZE=1 '$pepperpot' --version >/dev/null"
 check "a file that may not grow is an error" sh -c \
     "ulimit -f 1; '$pepperpot' df -m all -f csv '$examples/office.xml' -o '$scratch/big.csv' 2>'$scratch/said'; test \$? -eq 3"
 check "with nothing left of it" test ! -e "$scratch/big.csv"
-# Files that are named in a file: a pipe would be waited for without end.
+# Files named in a file: reading a pipe would wait for ever.
 mkfifo "$scratch/pipe.hdr" "$scratch/pipe.rad"
 echo "<room version=\"1\"><sky type=\"picture\" file=\"pipe.hdr\"/>$box<point x=\"2\" y=\"2\"/></room>" \
     >"$scratch/piped.xml"
@@ -61,7 +61,7 @@ echo "<room version=\"1\">$box<rooflight x=\"1\" y=\"1\" width=\"1\" depth=\"1\"
 check "a pane that is a pipe" refuses 1 "pipe.hdr: this is not a regular file" df "$scratch/piped.xml"
 echo "!xform $scratch/pipe.rad" >"$scratch/piped.rad"
 check "a scene that is a pipe" refuses 1 "pipe.rad: this is not a regular file" import --summary "$scratch/piped.rad"
-# An atlas grows in its file; where nothing could be written, nothing is left.
+# An atlas grows in its file; if nothing could be written, no file is left.
 check "an atlas on a full disk is an error" sh -c \
     "ulimit -f 0; '$pepperpot' atlas -n 1 -o '$scratch/atlas.csv' 2>/dev/null; test \$? -eq 3"
 check "with no empty file left of it" test ! -e "$scratch/atlas.csv"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The words of the command line: help, and every kind of wrong word.
+# Command-line arguments: help, and every kind of error.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
@@ -12,7 +12,7 @@ check "an unknown command suggests the nearest" \
 check "an unknown word is no command" refuses 2 'no command "zzz"' zzz
 check "an unknown first option is named" refuses 2 "--frobnicate" --frobnicate
 
-# One program has all commands, wherever it stands.
+# One program contains all commands, wherever it is installed.
 alone="$scratch/a folder/alone"
 mkdir -p "$alone"
 cp "$pepperpot" "$alone/pepperpot"
@@ -51,7 +51,7 @@ check "a room of no such name suggests the nearest" \
     refuses 1 "Kitchen" df --room Kitchn "$examples/building.xml"
 check "--quiet and -- are taken" shows "Deep office" df --quiet -- "$deep"
 
-# What --help offers, the man page explains.
+# The man page explains all options listed by --help.
 unexplained() {
     for command in df chart; do
         "$pepperpot" $command --help | grep -oE -- '(^|[ ,])--[a-z]+' |

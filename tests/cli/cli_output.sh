@@ -1,5 +1,5 @@
 #!/bin/sh
-# Output that appears whole or not at all, and is the same wherever it goes.
+# Output is complete or absent, and the same for every destination.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
@@ -72,7 +72,7 @@ else
     skip "a full disk is noticed" "there is no /dev/full"
 fi
 
-# No file is written over that is read, or written twice, whatever it is called.
+# An input file is never overwritten, and no file is written twice, even with different names.
 cp "$deep" "$scratch/own.xml"
 ln -s own.xml "$scratch/other.xml"
 for own in "$scratch/own.xml" "$scratch/../${scratch##*/}/own.xml" "$scratch/other.xml"; do
@@ -100,7 +100,7 @@ check "a reader that goes away is no drama" \
     sh -c "'$pepperpot' df '$deep' 2>'$scratch/err' | head -n 1 >/dev/null &&
         test ! -s '$scratch/err'"
 
-# Numbers do not depend on the locale, nor on the environment.
+# Numbers do not depend on the locale or the environment.
 locales=C
 for name in C.UTF-8 de_DE.UTF-8 fr_FR.UTF-8; do
     LC_ALL=$name locale charmap >/dev/null 2>&1 && locales="$locales $name"

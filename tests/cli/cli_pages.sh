@@ -1,6 +1,6 @@
 #!/bin/sh
-# The commands that pages of the manual show run, and print what the pages say. Blocks that
-# take seconds are left to make check-long (FULL_SIZE). `make docs-outputs` renews the pages.
+# The commands shown in the manual run, and print the output shown. Blocks that take seconds are
+# only run by make check-long (FULL_SIZE). `make docs-outputs` updates the pages.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 

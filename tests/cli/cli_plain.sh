@@ -1,16 +1,16 @@
 #!/bin/sh
-# --plain: the plain code gives the figures of the fast code, in df, assess and render.
+# --plain: the plain implementation gives the figures of the fast one, in df, assess and render.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
-# rows FILE: "PLACE COMPONENT METHOD VALUE ERROR" of df's CSV; - where there is none.
+# rows FILE: "PLACE COMPONENT METHOD VALUE ERROR" for df's CSV; - for a missing value.
 rows() {
     sed 's/"[^"]*"/-/g; s/\r$//' "$1" | awk -F, 'NR > 1 {
         print $3 $4 ":" $5, $10, $11, $12 == "" ? "-" : $12, $13 == "" ? "-" : $13 }'
 }
 
-# same_figures FILE OPTION ...: by hand, with --plain and without: points agree to 1e-6 of
-# the open sky, which is 1e-4 %, and averages to 1.5 thousandths.
+# same_figures FILE OPTION ...: hand methods with and without --plain: points agree to 1e-6 of the
+# open sky (1e-4 %), averages to 1.5 thousandths.
 same_figures() {
     file=$1
     shift

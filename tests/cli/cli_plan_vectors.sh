@@ -1,5 +1,5 @@
 #!/bin/sh
-# The contours of a plan, read back from its drawing, lie where df has their levels.
+# The contours of a plan, read back from its drawing, are at the levels that df calculates.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 . "$srcdir/tests/lib/plan_vectors.sh"

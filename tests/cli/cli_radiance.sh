@@ -1,5 +1,5 @@
 #!/bin/sh
-# export to Radiance's formats, import of its scenes, and validate --against radiance.
+# Export to Radiance, import of its scenes, and validate --against radiance.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
@@ -32,8 +32,8 @@ check "a building is a directory of directories" \
     export_to -o "$scratch/building" "$examples/building.xml"
 check "one a room" test "$(ls "$scratch/building" | tr '\n' ' ')" = \
     "Bedroom Kitchen Living-room Study "
-# Names of rooms as names of folders: 60 bytes at most, no character cut in two (59 and
-# an e acute of two), none alike, none that begins with a dot or a dash.
+# Names of rooms as names of folders: at most 60 bytes, no character cut in two (59 letters and an
+# e with acute accent, two bytes), no duplicates, and no name that begins with a dot or a dash.
 long=xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx
 room='<plan width="3" depth="4" height="2.7"/><point x="1" y="1"/></room>'
 {
@@ -103,7 +103,7 @@ full_again() {
 }
 check "and an export that was to be replaced as it was" full_again
 
-# Stopped at any moment: all of the building's 8 rooms of 8 files, or nothing.
+# If the export is stopped at any moment, all 8 files of all 8 rooms exist, or none.
 {
     echo '<building version="1" name="b">'
     for i in 1 2 3 4 5 6 7 8; do
@@ -136,7 +136,7 @@ check "and its sky" grep -q "10000 lx" "$scratch/out"
 check "points in it are simulated" \
     gives import $files --points-file points.pts --samples 2048 --format csv
 cp "$scratch/out" "$scratch/one"
-# df --simulate has 5.57 % at 2 m from this window; sampling leaves some per cent.
+# df --simulate gives 5.57 % at 2 m from this window; sampling causes an error of some per cent.
 check "the daylight factor is the room's" \
     awk -F, 'NR == 2 { exit !($15 > 5.57 - 4 * $16 && $15 < 5.57 + 4 * $16 && $16 < .3) }' "$scratch/one"
 # shellcheck disable=SC2086
@@ -155,7 +155,7 @@ check "from standard input" sh -c \
 check "which can be read once" refuses 2 "once" import - --points-file -
 
 printf 'void plastic a 0 0 5 .5 .5 .5 0 0\n\na polygon p 0 0 8 0 0 0 1 0 0 0 1\n' >"$scratch/bad.rad"
-# A square lamp over a plane: E = 179 x 4 (a/s) atan(a/s) lx, a = 0.35 m, s^2 = a^2 + 2.3^2.
+# A square lamp above a plane: E = 179 x 4 (a/s) atan(a/s) lx, a = 0.35 m, s^2 = a^2 + 2.3^2.
 cat >"$scratch/lamp.rad" <<'END'
 void light lum
 0
@@ -167,8 +167,8 @@ lum polygon lamp
 12 -0.35 -0.35 2.3  -0.35 0.35 2.3  0.35 0.35 2.3  0.35 -0.35 2.3
 END
 echo "0 0 0 0 0 1" >"$scratch/lamp.pts"
-# lamp_within ERRORS SHARE OPTIONS: the value is within that many standard errors of E, and
-# the standard error is within that share of the value.
+# lamp_within ERRORS SHARE OPTIONS: the value is within this number of standard errors of E, and
+# the standard error is at most this share of the value.
 lamp_within() {
     errors=$1
     share=$2
@@ -197,7 +197,7 @@ check "and one that looks nowhere" refuses 1 "bad.pts:1: " import sky.rad --poin
 check "and none" refuses 1 "no points" import sky.rad --points-file "$scratch/bad.pts"
 check "a summary is no table" refuses 2 "CSV" import sky.rad --format csv
 
-# Ctrl-C: the figures so far are printed, and marked.
+# After Ctrl-C the results so far are printed, and marked as unfinished.
 prints_when_interrupted() {
     # shellcheck disable=SC2086
     interrupted import $files --points-file points.pts --error 0.001% --format json
@@ -205,14 +205,15 @@ prints_when_interrupted() {
 }
 check "an interrupt leaves what there is" prints_when_interrupted
 
-# An unobstructed sensor under gensky's overcast sky sees all of it: 100 %.
+# An unobstructed sensor under gensky's overcast sky has 100 %.
 printf 'void plastic g 0 0 5 0 0 0 0 0\n!gensky -ang 60 0 -c -b 1\nskyfunc glow s 0 0 4 1 1 1 0\ns source sky 0 0 4 0 0 1 180\ng polygon p 0 0 9 0 0 -9 1 0 -9 0 1 -9\n' >"$scratch/sky.rad"
 echo "0 0 1 0 0 1" >"$scratch/up.pts"
 gives import "$scratch/sky.rad" --points-file "$scratch/up.pts" --samples 4096 --format csv >/dev/null
 check "under the open sky the daylight factor is 100 %" \
     awk -F, 'NR == 2 { exit !($15 > 99.95 && $15 < 100.05) }' "$scratch/out"
 
-# A small glow of 1e6 that 2048 paths do not find: 0 lx are not known to be so.
+# A small luminous surface of 1e6 that 2048 paths do not find: a result of 0 lx is reported as
+# uncertain.
 printf 'void glow g 0 0 4 1e6 1e6 1e6 0\ng polygon p 0 0 12 -.005 -.005 3 -.005 .005 3 .005 .005 3 .005 -.005 3\n' >"$scratch/glow.rad"
 echo "0 0 0 0 0 1" >"$scratch/up.pts"
 said_with_its_error() {
@@ -222,7 +223,7 @@ said_with_its_error() {
 }
 check "what no path found is within the error" said_with_its_error
 
-# An illum stands for what is behind it: a sky of 1, and 1 over a quarter of it again.
+# An illum replaces the sky behind it: a sky of 1, and another 1 over a quarter of the hemisphere.
 printf 'void glow g 0 0 4 1 1 1 0\ng source s 0 0 4 0 0 1 180\nvoid glass pane 0 0 3 .9 .9 .9\n' >"$scratch/even.rad"
 echo "0 0 0 0 0 1" >"$scratch/up.pts"
 stands_for_the_sky() {
@@ -246,8 +247,8 @@ check "without Radiance, validate says so" sh -c \
     sh "$pepperpot" "$deep"
 check "of what room it has to be told" refuses 2 "--against" validate --against radiance
 
-# In the place of Radiance, two programs that find an irradiance of 1 everywhere: over the
-# 10000 lx / 179 of the open ground that is 1.79 %.
+# In place of Radiance, two programs that return an irradiance of 1 everywhere: relative to 10000
+# lx / 179 of the open ground this is 1.79 %.
 mkdir "$scratch/bin" "$scratch/tmp"
 printf '#!/bin/sh\n' >"$scratch/bin/oconv"
 printf '#!/bin/sh\nwhile read -r line; do echo 1 1 1; done\n' >"$scratch/bin/rtrace"
@@ -288,7 +289,7 @@ fails() {
 check "so is that it failed" fails
 check "and nothing stays behind" nothing "$(ls "$scratch/tmp")"
 
-# Where Radiance is installed, its rtrace agrees.
+# If Radiance is installed, its rtrace agrees.
 if command -v rtrace >/dev/null && command -v oconv >/dev/null; then
     check "rtrace has the same daylight factor" sh -c \
         './daylight_factors.sh -ab 6 -ad 4096 -as 0 -aa 0 -lw 1e-5 |

@@ -1,6 +1,6 @@
 #!/bin/sh
-# cli_ranks.sh - several ranks under mpirun: the same bytes as alone, one voice, and a
-# rank that is killed.
+# Several ranks under mpirun: identical output to a single process, messages from one rank only,
+# and a rank that is killed.
 
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
@@ -10,11 +10,11 @@ if ! command -v mpirun >/dev/null || [ ! -f .libs/pepperpot-mpi.so ]; then
     exit 0
 fi
 
-# Open MPI keeps some of its memory to the end.
+# Open MPI does not free all of its memory.
 export ASAN_OPTIONS="detect_leaks=0:$ASAN_OPTIONS"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
-# ranks N WORDS: the program as N ranks.
+# ranks N WORDS: runs the program as N ranks.
 ranks() {
     count=$1
     shift
@@ -23,8 +23,8 @@ ranks() {
     status=$?
 }
 
-# lines WORDS: one on a line. What stands unquoted below is divided at the ends of lines, as the
-# folder of the examples may have blanks in its name.
+# lines WORDS: prints one word per line. Unquoted expansions below are split at line ends only,
+# since the folder of the examples may contain blanks.
 lines() {
     printf '%s\n' "$@"
 }
@@ -64,7 +64,7 @@ the_same_bytes_of_validate() {
     cmp "$scratch/2.html" "$scratch/3.html"
 }
 
-# Its own answers are rank 0's alone.
+# Only rank 0 prints results of its own.
 a_suite_is_run_once() {
     run validate analytic --format csv
     cp "$scratch/out" "$scratch/alone"
@@ -72,7 +72,7 @@ a_suite_is_run_once() {
     [ $status -eq 0 ] && cmp "$scratch/alone" "$scratch/out" || told
 }
 
-# In the place of Radiance, two programs that find an irradiance of 1 everywhere.
+# In place of Radiance, two programs that return an irradiance of 1 everywhere.
 the_same_bytes_beside_radiance() {
     mkdir -p "$scratch/bin"
     printf '#!/bin/sh\n' >"$scratch/bin/oconv"
@@ -91,13 +91,14 @@ the_same_bytes_beside_radiance() {
 }
 batch_of_two=$(lines "$deep" "$examples/office.xml" --samples 8 --format json)
 
-# Has the process worked for a second? It simulates by then.
+# simulates PID: succeeds if the process has used a second of CPU time; it simulates by then.
 simulates() {
     ticks=$(sed 's/.*) //' "/proc/$1/stat" 2>/dev/null | cut -d' ' -f12)
     [ "${ticks:-0}" -ge "$(getconf CLK_TCK)" ]
 }
 
-# Rank 0 is told to stop once it simulates: what is there is printed, marked as unfinished.
+# Rank 0 receives a signal while it simulates: the results so far are printed, marked as
+# unfinished.
 a_stop_prints_what_is_there() {
     timeout 60 mpirun --oversubscribe -n 2 "$pepperpot" df --simulate --error 0.001% \
         --time 50 --format json $files >"$scratch/out" 2>"$scratch/err" </dev/null &

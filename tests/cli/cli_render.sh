@@ -1,11 +1,11 @@
 #!/bin/sh
-# render: pictures of rooms, in every format, from every view; what is refused.
+# render: pictures of rooms in every format and from every view; rejected options.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
 small="--size 48x32 --samples 2 --engine path"
 
-# draws FILE WORDS: status 0, nothing said, and the file is there.
+# draws FILE WORDS: status 0, no messages, and the file exists.
 draws() {
     file=$scratch/$1
     shift
@@ -13,7 +13,7 @@ draws() {
     quietly render "$@" -o "$file" && { [ -s "$file" ] || told; }
 }
 
-# begins FILE TEXT: the file begins so.
+# begins FILE TEXT: the file begins with this text.
 begins() {
     head -c 8 "$scratch/$1" | grep -aqF -- "$2"
 }
@@ -73,7 +73,7 @@ check "an eye outside the room is said" eval \
 run render $small "$deep" -o "$scratch/inside.png"
 check "an eye in the room is not" test ! -s "$scratch/err"
 
-# ---- the same again ----
+# ---- identical results ----
 
 "$pepperpot" render $small --threads 1 "$deep" -o "$scratch/one.hdr"
 "$pepperpot" render $small --threads 3 "$deep" -o "$scratch/three.hdr"
@@ -111,7 +111,7 @@ check "a sheet of a bright room" draws words.pdf $small --sky iso-1 --external 6
 check_words "has its words and its figures in full" "$scratch/words.pdf" \
     "under an ISO 15469 sky" 10000
 
-# ---- from a picture ----
+# ---- from an existing picture ----
 
 check "a picture shown again" draws s.png --from-picture "$scratch/one.hdr"
 check "has the size it had" \
@@ -138,7 +138,7 @@ noisy() {
         --errors "$scratch/e$1.pfm" "$deep"
 }
 
-# numbers FILE: of a float map of 32 x 24 pixels, one a line.
+# numbers FILE: the numbers of a float map of 32 x 24 pixels, one per line.
 numbers() {
     tail -c $((32 * 24 * 3 * 4)) "$scratch/$1.pfm" | od -An -v -tf4 -w4
 }
@@ -165,8 +165,8 @@ check "interrupted while the cache grows, nothing is kept, and that is said" eva
 check "interrupted with a checkpoint, what is done is kept" eval \
     'interrupted render $long --checkpoint "$scratch/c" "$deep" -o "$scratch/i.hdr";
      [ $status -eq 130 ] && [ ! -e "$scratch/i.hdr" ] && [ -s "$scratch/c" ] || told'
-# Of a picture of about 2 s; a machine that has done it before it is told to stop has
-# nothing to go on with.
+# A picture that takes about 2 s. A machine that completes it before the signal has no checkpoint
+# to continue from.
 rest="--size 200x150 --samples 64 --engine path --threads 1 --quiet"
 interrupted render $rest --checkpoint "$scratch/r" "$deep" -o "$scratch/r.hdr"
 if [ $status -eq 130 ] && [ ! -e "$scratch/r.hdr" ]; then
@@ -219,7 +219,7 @@ check "a place for no checkpoint is said at once" refuses 3 "nowhere" \
     render $long --checkpoint "$scratch/nowhere/c" "$deep" -o "$scratch/x.hdr"
 check "picture and checkpoint in one file" refuses 2 "are the same file" \
     render $small --checkpoint "$scratch/x.hdr" "$deep" -o "$scratch/x.hdr"
-# fills WORDS: on a full disk the status is 3, and nothing is left of the picture.
+# fills WORDS: on a full disk the status is 3, and no part of the picture is left.
 fills() {
     on_full_disk 0 render $small "$@" "$deep"
     test $status -eq 3 && nothing "$(leftovers; find "$scratch" -name 'x.*')"
@@ -231,7 +231,7 @@ check "nor of a checkpoint" fills --checkpoint "$scratch/x.c" -o "$scratch/x.hdr
 check "a file that is no checkpoint" refuses 1 "not a checkpoint" \
     render $small --checkpoint "$examples/office.xml" "$deep" -o "$scratch/x.hdr"
 
-# ---- what makes no sense ----
+# ---- options that make no sense ----
 
 check "no output" refuses 2 "expected -o FILE.hdr" render "$deep"
 check "an ending unknown" refuses 2 "is not clear from its name" render "$deep" -o "$scratch/x.jpg"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# report: a page that needs nothing else, or sheets of a PDF, with all rooms of a site.
+# report: a self-contained HTML page, or the sheets of a PDF, with all rooms of a site.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 LC_ALL=C
@@ -10,15 +10,15 @@ page=$scratch/report.html
 check "a site" quietly report --by-hand --full --for uk-planning "$site" -o "$page"
 check "is one page" sh -c "head -n 1 '$page' | grep -q '^<!DOCTYPE html>' &&
     tail -n 1 '$page' | grep -q '^</html>'"
-# Names of namespaces and the program's own ids aside, nothing is referred to.
+# Except for names of namespaces and its own ids, the page contains no references.
 check "that needs no network" nothing \
     "$(grep -oE '(src|href)="[^"#][^"]*"|url\([^#][^)]*\)|<script|@import' "$page" |
         grep -v 'href="data:,"')"
 for room in "Living room" Study Workroom Bedroom Bathroom; do
     check "with the $room" grep -q "<h2[^>]*>$room</h2>" "$page"
 done
-# Two of the site, of each room plan, section and the plan before and now, and the sun's
-# paths for the one room of whose windows sunlight is judged.
+# Two drawings of the site; for each room plan, section and the plan before and now; and sun paths
+# for the only room whose windows are assessed for sunlight.
 check "with all its drawings" test "$(grep -c '<figure><svg' "$page")" -eq 18
 check "the sun's paths where its hours are judged" \
     test "$(grep -c '<figcaption>Sun paths' "$page")" -eq 1
@@ -149,7 +149,8 @@ if command -v pdfimages >/dev/null; then
 else
     skip "the drawings are lines" "no pdfimages"
 fi
-# Words nearer to a sheet's edge than 14 mm, or 8 mm at its foot (points).
+# beyond_margins FILE.pdf: words closer than 14 mm to the edge of a sheet, or 8 mm at its bottom
+# (in points).
 beyond_margins() {
     pdftotext -bbox "$1" - | sed -n 's/.*<word xMin="\(.*\)" yMin="\(.*\)" xMax="\(.*\)" yMax="\(.*\)">\(.*\)<.*/\1 \2 \3 \4 \5/p' |
         awk '{ words++ } $1 < 39.7 || $2 < 39.7 || $3 > 555.6 || $4 > 819.2
@@ -168,7 +169,8 @@ check "simulated as PDF" quietly report --error 5% -c average "$scratch/pair.xml
 check_words "with standard errors and the seed" "$scratch/traced.pdf" "^± standard error$" \
     "^traced$" "seed 1"
 
-# The plan and the table of averages print one average; the section is cut where it is told.
+# The plan and the table of averages show the same average; the section is at the requested
+# position.
 if command -v pdftotext >/dev/null; then
     average=$(pdftotext -layout "$scratch/traced.pdf" - | sed -n 's/^traced  *\([0-9.]*\).*/\1/p')
     check "an average in the table" test -n "$average"

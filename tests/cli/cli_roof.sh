@@ -1,6 +1,6 @@
 #!/bin/sh
-# A room by short forms is the room that its long form is: roofs against envelopes, furniture
-# against surfaces, to the byte.
+# A room in a short form gives output identical to its long form: roofs compared with envelopes,
+# furniture with surfaces.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
@@ -42,14 +42,14 @@ cat >"$scratch/long.xml" <<'EOF'
     <vertex x="3" y="6.75" z="0.75"/><vertex x="1" y="6.75" z="0.75"/></surface>
 </room>
 EOF
-# figures FILE WORDS: all figures, without the file's name and lines of it.
+# figures FILE WORDS: all figures, without the name and line numbers of the file.
 figures() {
     file=$1
     shift
     "$pepperpot" df -f csv -p "1,1 3,4 5,7,0.8" "$@" "$file" | cut -d, -f2- |
         sed 's/line [0-9]*/line/g; s/\(point,\)[0-9]*,/\1/'
 }
-# Formulae count both sides of a surface, but only the outside of furniture.
+# Formulae count both sides of a free surface, but only the outer side of furniture.
 for form in short long; do
     figures "$scratch/$form.xml" --simulate --error 5% -m exact >"$scratch/$form.furnished"
     sed '/<furniture/d; /<surface/,/<\/surface>/d' "$scratch/$form.xml" >"$scratch/bare.xml"
@@ -80,8 +80,9 @@ for roof in mono gable hip saw-tooth; do
 done
 sed 's/wall="roof-south"/wall="roof-east"/' "$scratch/short.xml" >"$scratch/no.xml"
 check "a slope that is not there" refuses 1 'there is no wall "roof-east"' df "$scratch/no.xml"
-# A dado as high as its walls, with a door of the same reflectance, is the walls' finish: for
-# hand methods to rounding, for the tracer within 4 of both standard errors (1 % each).
+# A dado as high as its walls, with a door of the same reflectance, equals the finish of the walls:
+# for hand methods except for rounding, for the tracer within 4 standard errors of the difference
+# (1 % each).
 cat >"$scratch/finish.xml" <<'EOF'
 <room version="1"><plan width="4.2" depth="5.3" height="2.7"/>
 <finishes floor="0.2" walls="0.3" ceiling="0.8"/>

@@ -1,5 +1,5 @@
 #!/bin/sh
-# assess --for and --rules: rules of countries and schemes, their sky and their refusals.
+# assess --for and --rules: rules of countries and schemes, their skies and rejected input.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
@@ -7,7 +7,7 @@ tables=$(cd "$srcdir/tables" && pwd)
 cd "$scratch" || exit 1
 LC_ALL=C
 export LC_ALL
-# room SKY PLANE: an office with that sky and height of the working plane.
+# room SKY PLANE: an office with this sky and height of the working plane.
 room() {
     cat <<END
 <room version="1" name="Made up" use="office">
@@ -41,7 +41,7 @@ check "as CSV it has them, too" sh -c \
 check "the list can be a file" quietly assess --rules -o rules.txt
 check "which has it all" sh -c "'$pepperpot' assess --rules | cmp - rules.txt"
 
-# A rule with a uniform sky is judged by it, whatever the sky of the room.
+# A rule for a uniform sky is assessed with it, for any sky in the room file.
 figures() {
     "$pepperpot" assess --for "$1" --by-hand -q -f json "$2" |
         grep -o '"figure": [0-9.]*' | tr '\n' ' '

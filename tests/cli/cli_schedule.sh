@@ -1,5 +1,5 @@
 #!/bin/sh
-# assess --schedule: each window's sky, sunlight and lit area, existing and proposed.
+# assess --schedule: sky, sunlight and lit area of each window, existing and proposed.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 LC_ALL=C
@@ -12,7 +12,7 @@ check "a schedule beside the table" gives assess --by-hand --for uk-planning --t
 check "whose sunlight has its own table" grep -q "^  Sunlight hours, possible" "$scratch/out"
 check "is a line a window, below a head" test "$(wc -l <"$csv")" -eq 6
 check "all with as many fields" test "$(awk -F, '{ print NF }' "$csv" | sort -u | wc -l)" -eq 1
-# The field of a column in the line of window $2.
+# field COLUMN WINDOW: value of this column in the line of the window.
 field() {
     awk -F, -v column="$1" -v window="$2" '
         NR == 1 { for (i = 1; i <= NF; i++) { sub(/\r/, "", $i); if ($i == column) c = i; if ($i == "window") w = i } }

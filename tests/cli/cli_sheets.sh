@@ -1,11 +1,10 @@
 #!/bin/sh
-# Sheets for print of chart: tables as they were printed, overlays and nets, and what is
-# refused.
+# Printed sheets of chart: tables as published, overlays and nets, and rejected options.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
-# each_form NAME WORDS: the chart becomes each format, an SVG twice the same, on the smallest
-# paper and the largest.
+# each_form NAME WORDS: draws the chart in each format, the SVG twice with identical results, and
+# on the smallest and the largest paper.
 each_form() {
     sheet=$1
     shift
@@ -19,7 +18,7 @@ each_form() {
     done
 }
 
-# The BRS table's figures, a row of the file a line of the sheet.
+# The figures of the BRS table: one line on the sheet for each row of the file.
 check "a blank BRS table in each form" each_form table brs-table
 check "one that is read for a point" each_form read brs-table -p 1.5,2 "$examples/office.xml"
 as_printed() {
@@ -92,7 +91,7 @@ check "and not both" refuses 2 "--slats" chart slats --slats 0.025,0.02,0 -o "$s
     "$scratch/blind.xml"
 check "slats turn by 90 degrees at most" refuses 2 "-90 to 90" chart slats \
     --slats 0.025,0.02,100 -o "$scratch/x.svg"
-# The 26th byte of a PNG is its colours: 6 with transparency, 2 without.
+# The 26th byte of a PNG is its colour type: 6 with transparency, 2 without.
 colours() {
     quietly chart "$@" --dpi 40 -o "$scratch/x.png" &&
         od -An -tu1 -j25 -N1 "$scratch/x.png" | tr -d ' '
@@ -126,7 +125,7 @@ check "only models have a scale" refuses 2 "--scale" chart plan --scale 20 -o "$
 check "a net is of a room" refuses 2 "room file" chart model-net -o "$scratch/x.pdf"
 
 
-# Several sheets are written when all are drawn: the second room has no window.
+# Several sheets are only written after all of them are drawn: the second room has no window.
 cat >"$scratch/two.xml" <<END
 <building version="1"><room name="A"><plan width="3" depth="4" height="2.7"/>
 <window wall="south" left="0.5" sill="0.9" width="2" height="1.4"/></room>

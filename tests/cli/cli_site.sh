@@ -1,16 +1,16 @@
 #!/bin/sh
-# One site for many rooms: states, the table of a site, profiles, what is refused.
+# A site with many rooms: states, the table of a site, profiles, rejected input.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 LC_ALL=C
 export LC_ALL
 site=$(cd "$srcdir/examples/sites" && pwd)/corner-house.xml
 
-# column N ROW: the Nth field from the end of the table's row with that text.
+# column N ROW: the Nth field from the end of the row of the table that contains this text.
 column() {
     grep -F -- "$2" "$scratch/out" | awk -v n="$1" '{ print $(NF - n) }' | head -n 1
 }
-# is NUMBER NUMBER TOLERANCE
+# is NUMBER NUMBER TOLERANCE: the numbers agree.
 is() {
     awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; exit !(d <= t && -d <= t) }' ||
         { echo "$1, not $2"; return 1; }
@@ -50,7 +50,7 @@ check "as CSV" shows "Bedroom,1.01,bedroom,former-sky," assess --by-hand -c form
 check "a sheet a room has what was before" shows "% before" \
     assess --by-hand -c former-sky --room Bedroom "$site"
 
-# Rights of light: a row a room, of which the findings say the same, and the sum.
+# Rights of light: a row for each room, with the same figures as the findings, and the total.
 rights="assess --for rights-of-light --table"
 check "rights of light in one table" gives $rights "$site"
 check "which fits in 80 columns" nothing "$(too_wide)"
@@ -91,7 +91,7 @@ check "a room that is not judged is in the table" gives $rights "$scratch/low.xm
 check "without figures" grep -qE '^  Hole +- +- +- +not applicable' "$scratch/out"
 check "the sum is the other's" grep -qE '^  sum +24.00 ' "$scratch/out"
 
-# The study by itself: all that the building has, moved by hand.
+# The study as a single room, with all other parts of the building moved by hand.
 cat >"$scratch/study.xml" <<'EOF'
 <room version="1" name="Study" north="10">
   <site latitude="51.5" longitude="-0.1" ground-level="-0.5"/>
@@ -188,7 +188,8 @@ check "no target with it" refuses 2 "and --obstruction cannot be combined" \
     size --obstruction Tower --target 2% "$site"
 check "no share without it" refuses 2 "needs --obstruction" size --target 2% --keep 80% "$site"
 check "a file without names" refuses 1 "no block in it has a name" size --obstruction Tower "$deep"
-# Each window counts once in the table's head: met, by 27 % or 0.8, of the lines of former-sky.
+# counts_agree: the heading of the table counts each window once: met by 27 % or by 0.8 of the
+# former sky.
 counts_agree() {
     "$pepperpot" assess --by-hand --for uk-planning --table -f json "$site" >"$scratch/table.json"
     "$pepperpot" assess --by-hand --for uk-planning -f csv "$site" >"$scratch/all.csv"
@@ -226,7 +227,7 @@ check "a room that is new has nothing before" sh -c "
     sed 's/<room name=\"Study\"/<room state=\"proposed\" name=\"Study\"/' '$site' |
         '$pepperpot' assess --by-hand -c vsc,former-sky --table - | sed -n '/Windows, proposed rooms/,\$p' | grep -qE '^  Study .*W3, south +[0-9.]+  (not )?met'"
 
-# An overhang is the surface that it stands for, to the byte.
+# An overhang gives output identical to the equivalent surface.
 cat >"$scratch/overhang.xml" <<'EOF'
 <room version="1" name="Shaded">
   <plan width="4.2" depth="5.3" height="2.7"/>

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Drawings of a site: what is lit now and before, its plan, its elevations, sun paths.
+# Drawings of a site: areas lit now and before, its plan, its elevations, sun paths.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 LC_ALL=C
@@ -67,8 +67,8 @@ check "with its share" says "$scratch/lawn.pdf" "Lawn 84"
 check "a room without one has no such criterion" nothing \
     "$("$pepperpot" assess --by-hand "$deep" | grep -i garden)"
 
-# The largest envelope on a plot: its heights in plan are those of the CSV, and the window that
-# decides has its diagram.
+# The largest envelope on a plot: the heights in its plan are those of the CSV, and the window that
+# limits it has a diagram.
 check "an envelope" gives size --envelope Tower --highest 30 -f csv "$site" \
     --draw "$scratch/envelope.pdf"
 check "drawn with its heights" says "$scratch/envelope.pdf" \
@@ -100,7 +100,7 @@ cat >"$scratch/top.xml" <<'EOF'
 <room version="1"><plan width="4" depth="5" height="3"/>
   <rooflight x="1" y="1" width="1" depth="1"/></room>
 EOF
-# The name is in the title, but not on a wall that is all glass.
+# The name is in the title, but not on a wall that is entirely glazed.
 sed '/<window/,/\/>/d; s|</room>|<window wall="south" left="0" sill="0" width="3" height="2.7"/></room>|' \
     "$deep" >"$scratch/glass.xml"
 run chart elevation "$scratch/glass.xml" -o "$scratch/glass.pdf"
@@ -118,7 +118,7 @@ check "a window that is not there" refuses 1 "expected the name of a window" \
     chart sun-path --room Study --window attic "$site" -o "$scratch/no.svg"
 check "nothing was written" test ! -e "$scratch/no.svg"
 
-# A French window is judged at 1.6 m in drawings and by sizing as by assess.
+# Drawings and sizing use 1.6 m for a French window, as assess does.
 cat >"$scratch/french.xml" <<'EOF'
 <building version="1" name="French">
 <block name="Tower" x="-20" y="-14" width="40" depth="5" height="6"/>

@@ -1,6 +1,6 @@
 #!/bin/sh
-# docs/situations.md and the program are in step: figures of the methods to the printed
-# digits, traced ones within four standard errors, and each figure of the text in its table.
+# docs/situations.md agrees with the program: hand figures to the printed digits, simulated ones
+# within four standard errors, and each figure in the text with its table.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
@@ -11,13 +11,13 @@ sed -n 's/^<!-- situation \(.*\) -->/\1/p' "$said" | LC_ALL=C sort >"$scratch/to
 check "there are twelve situations" test "$(wc -l <"$scratch/rooms")" -eq 12
 check "each of them is told" same "$scratch/told" "$scratch/rooms"
 
-# told ROOM: its table as it stands.
+# told ROOM: the table of the room in the page.
 told() {
     sed -n "/^<!-- situation $1 -->/,/^<!-- end -->/p" "$said" | sed '1d; $d'
 }
 
-# Prints what differs of two tables with the same rows. A standard error that is not shown
-# is below 0.005.
+# differences: prints the differences between two tables with the same rows. A standard error that
+# is not shown is below 0.005.
 differences() {
     ${AWK:-awk} -F '|' '
     function number(cell, i) { split(cell, parts, " "); return parts[i] }

@@ -1,12 +1,12 @@
 #!/bin/sh
-# size: the sizes that it finds, fed back through df, and its words where there is none.
+# size: the sizes that it finds, tested with df, and its messages if there is none.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
 classroom=$examples/classroom.xml
 obstructed=$examples/deep-office-obstructed.xml
 
-# value METHOD OPTIONS FILE: what df says of the average, or of the only point (%).
+# value METHOD OPTIONS FILE: the average, or the value of the only point, by df (%).
 value() {
     method=$1
     shift
@@ -18,7 +18,8 @@ value() {
         esac
 }
 
-# near TARGET SHARE VALUE: within that share of it, and not below it but for rounding.
+# near TARGET SHARE VALUE: the value is within this share of the target, and not below it except
+# for rounding.
 near() {
     awk -v t="$1" -v s="$2" -v v="$3" \
         'BEGIN { exit !(v >= t * (1 - 1e-6) && v <= t * (1 + s)) }' || {
@@ -27,7 +28,7 @@ near() {
     }
 }
 
-# reaches TARGET METHOD FILE OPTIONS: the room that size writes has it by df.
+# reaches TARGET METHOD FILE OPTIONS: the room written by size reaches the target by df.
 reaches() {
     target=$1
     method=$2
@@ -61,7 +62,7 @@ gives size --by-hand --target 2% "$deep"
 check "what it says of the room as it is, df says too" grep -q \
     "^  as it is  *$(printf '%.2f' "$(value exact+bre "$deep")") %\$" "$scratch/out"
 
-# Counted: the answer is not below the target, and one millimetre less is.
+# Counting methods: the result is not below the target, and one millimetre less is.
 for method in waldram+bre pepper-pot+bre; do
     gives size -t 1.2 -b $method --points 1.5,3.1 --change head -w "$scratch/sized.xml" \
         "$deep"
@@ -75,7 +76,7 @@ for method in waldram+bre pepper-pot+bre; do
             "$scratch/less.xml") >= 1.2) }'"
 done
 
-# Traced, and traced again from another seed: within three standard errors of both.
+# Simulated, and simulated again with another seed: within three standard errors of the difference.
 traced() {
     gives size -t "$1" -b traced --error 2% -w "$scratch/sized.xml" "$deep" || return 1
     "$pepperpot" df --simulate --seed 7 --error 0.5% --methods exact --format csv \
@@ -130,7 +131,7 @@ check "standard input" sh -c "'$pepperpot' size -t 2 - <'$deep' | grep -q 'a wid
 check "a simulated check of it" gives size -t 6 --simulate --error 5% "$deep"
 check "no line is wider than 80 columns" nothing "$(too_wide)"
 
-# 12.5 % of a floor of 3 m by 9 m, 1.5 m high: 2.25 m wide.
+# 12.5 % of a floor of 3 m by 9 m with a height of 1.5 m: 2.25 m wide.
 check "by a criterion" shows "a width of 2.25 m instead of 2.6 m gives 100.00 %" \
     size --by-hand --for glazing-ratio --write "$scratch/sized.xml" "$deep"
 check "which the sized room meets" sh -c "
@@ -181,7 +182,8 @@ check "--error without a simulation" refuses 2 "--by-hand" \
 check "tracing by hand" refuses 2 "--by traced" size -t 2 --by-hand --by traced "$deep"
 check "by hand nothing is traced" nothing \
     "$("$pepperpot" size -t 2 --by-hand --format json "$deep" | grep traced)"
-# A window on a shaft of 3 x 4 m, 11 m deep, white tiles; by hand 1 % is easily had.
+# A window on a shaft of 3 x 4 m, 11 m deep, with white tiles; by hand methods 1 % is easily
+# reached.
 cat >"$scratch/well.xml" <<EOF
 <room version="1"><plan width="3" depth="3.6" height="2.5"/>
 <window wall="south" left="0.9" sill="0.95" width="1.2" height="1.2"/>

@@ -1,11 +1,10 @@
 #!/bin/sh
-# Photographed skies from picture to daylight factors. The photographs are our own: of
-# skies that have a formula, from a point high above a room, so that the figures are
-# known.
+# Photographed skies, from picture to daylight factors. The photographs are rendered skies with a
+# formula, seen from high above a room, so that the figures are known.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
-# photograph FILE WORDS: a fisheye of the open sky.
+# photograph FILE WORDS: renders a fisheye picture of the open sky.
 photograph() {
     photograph_file=$1
     shift

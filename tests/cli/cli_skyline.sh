@@ -1,11 +1,11 @@
 #!/bin/sh
-# A skyline with a distance is the long block in its place: daylight factors by light paths,
-# criteria, exports. tests/long/long_streets.sh has twelve streets and all engines.
+# A skyline with a distance equals a long block in its place: simulated daylight factors, criteria,
+# exports. tests/long/long_streets.sh tests twelve streets and all engines.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 . "$srcdir/tests/lib/streets.sh"
 
-# figures FILE: of the sky that a window has, the floor that sees some, and the sun.
+# figures FILE: the sky of each window, the floor area that sees sky, and the sun.
 figures() {
     "$pepperpot" assess -c vertical-sky,sun-exposure,no-sky-line --by-hand --format csv "$1" |
         awk -F, 'NR > 1 { print $5, $(NF - 10) }'

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Each command once, for its result and for one mistake. Under sanitizers this is the script
-# that CI runs; the others run there in make check-long.
+# Each command once with a result and once with a mistake. Under sanitizers CI only runs this
+# script; make check-long runs the others.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Attributes of room files with other values: --set, and --sweep with one table of all runs.
+# --set changes attributes of room files; --sweep makes one table of many runs.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 LC_ALL=C
@@ -8,7 +8,7 @@ export LC_ALL
 office=$examples/office.xml
 site=$examples/sites/corner-house.xml
 
-# A set value gives, to the byte, what a file with that value gives.
+# With --set the output is identical to that of a file with the value.
 sed 's/depth="5.4"/depth="6.1"/; s/walls="0.6"/walls="0.45"/' "$office" >"$scratch/edited.xml"
 gives df -f csv --set plan.depth=6.1 --set finishes.walls=0.45 "$office" >/dev/null
 sed "s|^[^,]*,|file,|" "$scratch/out" >"$scratch/by_set"
@@ -41,7 +41,7 @@ check "points have rows of their own" grep -qE '^ +0\.8 +2, 2 ' "$scratch/out"
 check "JSON has each run with its values" shows '"window.width": 1.1' \
     df -f json --sweep window.width=0.8:1.4:0.3 "$office"
 
-# A higher tower leaves a window less sky.
+# With a higher tower a window has less sky.
 check "assess has a row for each finding" shows "block.Tower.height" \
     assess --by-hand -c vertical-sky,former-sky --sweep block.Tower.height=10:20:5 "$site"
 check "in which the sky falls with the height" awk '/vertical-sky +W3/ {

@@ -1,10 +1,10 @@
 #!/bin/sh
-# validate: answers known on paper, and methods against the simulation, whose figures are
-# recomputed here from df's output for the same room.
+# validate: cases with known results, and methods compared with the simulation; the figures are
+# recalculated from df's output for the same room.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
-# fails_by STATUS TEXT WORDS: prints what it found, and ends with that status and text.
+# fails_by STATUS TEXT WORDS: prints its results, and ends with this status and text.
 fails_by() {
     wanted=$1 text=$2
     shift 2
@@ -88,12 +88,13 @@ check "differences, parts and verdicts agree" nothing "$(awk -F, '
 check "in JSON, too" shows '"suite": "rooms"' validate rooms $few --format json "$obstructed"
 check "with the limits on both sides" grep -q \
     '"tolerance": .*"right": .*"tolerance-below": -.*"assumption": .*"formula": ' "$scratch/out"
-# One reflected component for the whole deep room is outside its band near the window.
+# A single reflected component for the whole deep room is outside its band near the window.
 check "the exit status is 1 where more is outside than may" fails_by 1 "outside their limits" \
     validate rooms --samples 64 --methods bre --page "$scratch/bre.html" "$deep"
 check "and the page says so" grep -q 'class="verdict bad">Not passed' "$scratch/bre.html"
 
-# A room: bias, spread and worst once more from df's own figures, with the same paths.
+# Bias, spread and largest difference of a room, recalculated from df's figures with the same
+# paths.
 methods=exact+bre,brs-table+bre,average-df
 gives df --simulate --samples 16 --methods "$methods" --format csv "$deep" >/dev/null
 tr -d '\r' <"$scratch/out" >"$scratch/df"
@@ -101,7 +102,7 @@ check "a room is compared with what is traced" \
     gives validate --samples 16 --methods "$methods" --format csv "$deep"
 tr -d '\r"' <"$scratch/out" >"$scratch/validate"
 check "with 26 fields a line" nothing "$(awk -F, 'NF != 26' "$scratch/validate")"
-# worked_again METHOD: its bias, spread and worst difference as this script finds them.
+# worked_again METHOD: its bias, spread and largest difference, calculated by this script.
 worked_again() {
     awk -F, -v method="$1" '
         $3 == "point" && $10 == "df" && $11 == "traced" { truth[$4 " " $5] = $12; error[$4 " " $5] = $13 }
@@ -125,8 +126,8 @@ for method in exact+bre brs-table+bre; do
     check "$method: bias, spread and worst are those of df's figures" \
         test "$(said $method)" = "$(worked_again $method)"
 done
-# The assumption of bre: what df traces with bre's ground in the file, less what it traces.
-# formula: the rest of the bias.
+# The error by bre's assumption: df's simulation with bre's ground in the file, minus that with the
+# room's own ground. formula: the rest of the bias.
 sed 's|<site |<site ground="open" ground-reflectance="0.1" |' "$deep" >"$scratch/own.xml"
 check "the deep office has its ground by default" nothing "$(grep ground= "$deep")"
 gives df --simulate --samples 16 --methods bre --format csv "$scratch/own.xml" >/dev/null

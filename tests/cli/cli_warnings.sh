@@ -1,5 +1,5 @@
 #!/bin/sh
-# Valid but doubtful input: a result and a warning, or with --strict an error.
+# Valid but doubtful input: a result and a warning, or an error with --strict.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
@@ -35,7 +35,7 @@ check "a value that is set has no longer a warning" \
 check "JSON without warnings has no list of them" \
     nothing "$("$pepperpot" df -f json "$examples/office.xml" | grep warnings)"
 
-# The same of two rooms is said once.
+# A warning that applies to two rooms is printed once.
 cat >"$scratch/two.xml" <<'END'
 <building version="1" name="House"><site latitude="-0.1" longitude="51.5" country="GB"/>
 <room name="A"><plan width="4.2" depth="5" height="2.7"/>

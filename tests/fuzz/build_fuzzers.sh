@@ -7,7 +7,7 @@ built=tests/fuzz/built
 flags="-g -O1 -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all $FLAGS"
 mkdir -p "$built/objects"
 
-# Objects, by all processors; file names are unique.
+# Compiles with all processors; file names are unique.
 for file in "$@"; do
     case $file in *.c) printf '%s\n' "$file" ;; esac
 done | FLAGS=$flags xargs -P "$(getconf _NPROCESSORS_ONLN)" -I FILE sh -c '
@@ -15,7 +15,7 @@ done | FLAGS=$flags xargs -P "$(getconf _NPROCESSORS_ONLN)" -I FILE sh -c '
     [ "$object" -nt "$srcdir/$1" ] || exec $FUZZ_CC $FLAGS -c -o "$object" "$srcdir/$1"
 ' "$built" FILE
 
-# corpus NAME: its folder.
+# corpus NAME: prints the folder of this corpus.
 corpus() {
     mkdir -p "$built/corpus-$1"
     echo "$built/corpus-$1"
@@ -77,7 +77,7 @@ printf '%s\n' --time 500ms -sqm exact+bre --sweep window.sill=.8,1 --room A --st
     >"$options/short"
 printf '0.85 W / (A (1 - R_fw)) (1 + 5 sin(theta)) + min(W, 2) / A' >"$(corpus formula)/sum"
 
-# An archive: a target takes the objects that it needs.
+# An archive: each target links only the objects that it needs.
 rm -f "$built/objects.a"
 ${AR:-ar} rcs "$built/objects.a" "$built"/objects/*.o
 
@@ -86,7 +86,7 @@ for source in "$srcdir"/tests/fuzz/fuzz_*.c; do
     kind=${name#fuzz_}
     seeds=$(corpus "$kind")
     wrap=
-    # These readers open files: the fuzzer replaces them.
+    # These readers open files; the fuzzer replaces the function that reads them.
     case $kind in rad | values | atlas) wrap=-Wl,--wrap=pp_read_file ;; esac
     # shellcheck disable=SC2086 # words
     $FUZZ_CC $flags -fsanitize=fuzzer $wrap -o "$built/$name" "$source" "$built/objects.a" $LIBS

@@ -1,16 +1,16 @@
 #!/bin/sh
-# The arrows between the folders, by what the sources include and by what the objects
-# call: down only, so that what stands lower never knows of what stands on it. methods and
-# simulate know nothing of each other; only studies holds both. A header that says
-# "Inside X/ only" is included there only; no circle of files includes itself. The library
-# never prints, exits or looks at its surroundings, and keeps nothing in writable data.
+# Dependencies between folders, from the includes of the sources and the calls of the objects: a
+# folder uses only folders below it in the table. methods and simulate do not use each other; only
+# studies uses both. A header that states "Inside X/ only" is included there only; there are no
+# circular includes. The library never prints, exits or reads the environment, and has no writable
+# data.
 . "$srcdir/tests/lib/tap.sh"
 
 folders="model formats methods simulate studies charts reports api serve cli"
 library="model formats methods simulate studies charts reports api"
 
-# Each place, what it may use besides itself, lowest first. "model" as a whole is all of
-# its folders.
+# Each folder and those that it may use besides itself, lowest first. "model" stands for all of its
+# folders.
 places='
 model/base
 model/geometry      model/base
@@ -43,7 +43,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 printf '%s\n' "$places" | sed 1d >"$scratch/places"
 
-# Functions of awk on the table of places, which is read first.
+# awk functions on the table of places, which is read first.
 arrows='
     function place_of(path,    name) {
         name = path
@@ -66,7 +66,7 @@ arrows='
     }
     FILENAME == ARGV[1] { name = $1; $1 = ""; uses[name] = $0; next }'
 
-# Lines "FILE HEADER": which of our own headers each of our files includes.
+# Lines "FILE HEADER": the project's headers that each file includes.
 (cd "$srcdir" && grep -rH --include='*.[ch]' '^[ 	]*#[ 	]*include[ 	]*"' $folders) |
     sed -n 's/^\([^:]*\):[^"]*"\([^"]*\)".*/\1 \2/p' |
     grep -Ev ' (config\.h|pepperpot\.h|tables/.*)$' >"$scratch/includes"
@@ -78,7 +78,7 @@ wrong_includes() {
     ' "$scratch/places" "$scratch/includes"
 }
 
-# Headers whose head names the folder they are for, and who else includes them.
+# Headers that name the folder they are for, and files elsewhere that include them.
 wrong_guests() {
     (cd "$srcdir" && find $folders -name '*.h' | xargs awk '
         FNR == 1 { text = ""; in_head = 1 }
@@ -94,9 +94,9 @@ wrong_guests() {
         }' "$scratch/owners" "$scratch/includes"
 }
 
-# Lines "FILE NAME" of what a folder's objects define for others, or ask of others; from
-# its archive, which holds no object of a source that is gone. File names are unique, so
-# that an object's tells its folder.
+# symbols_of FOLDER OPTION: lines "FILE NAME" of the symbols that a folder's objects define or
+# need, from its archive, which contains no objects of deleted sources. File names are unique, so
+# an object's name gives its folder.
 symbols_of() {
     $NM -A -g "$2" "lib$1.a" 2>/dev/null |
         sed -n 's/^[^:]*:\([^:]*\)\.o:.* \([^ ]*\)$/\1 \2/p' |
@@ -109,7 +109,7 @@ for folder in $library cli; do
     symbols_of "$folder" --undefined-only >>"$scratch/wants"
     symbols_of "$folder" --defined-only >>"$scratch/gives"
 done
-# The server is a user of pepperpot.h: what that declares is its to call, and no more.
+# The server is a user of pepperpot.h: it only calls functions declared there.
 (cd "$srcdir" && ${AWK:-awk} -f libpepperpot.awk pepperpot.h) >"$scratch/public"
 symbols_of serve --undefined-only |
     awk 'NR == FNR { public[$1] = 1; next } !($2 in public)' "$scratch/public" - >>"$scratch/wants"
@@ -124,8 +124,7 @@ wrong_calls() {
     ' "$scratch/places" "$scratch/gives" "$scratch/wants"
 }
 
-# Headers that include one another, and files whose functions call one another's, in a
-# circle: tsort says of either that there is a loop.
+# Circular includes of headers, and circular calls between files: tsort reports a loop.
 circles() {
     grep '\.h .*\.h$' "$scratch/includes" | tsort 2>&1 >/dev/null
     awk 'NR == FNR { defined[$2] = $1; next }
@@ -139,17 +138,17 @@ library_uses() {
         awk -v pattern="^($1)\$" '$2 ~ pattern { print $1 " uses " $2 }'
 }
 
-# What prints, ends the process, or makes a result depend on its surroundings.
+# Symbols that print, end the process, or make a result depend on the environment.
 forbidden='(__)?v?printf(_chk)?|puts|putchar|perror|stdout|stderr|stdin'
 forbidden="$forbidden|exit|_exit|_Exit|quick_exit|abort|atexit|signal|sigaction"
 forbidden="$forbidden|getenv|secure_getenv|setenv|putenv|setlocale|rand|srand|random|time"
 
-# The reader of room files may read standard input: "-" is a path of INTERFACE.
+# The reader of room files may read standard input: "-" is a documented path.
 uses_forbidden() {
     library_uses "$forbidden" | grep -v '^model/base/.*uses stdin$'
 }
 
-# Files that include a header: there may be one at most.
+# includers HEADER: files that include a system header; at most one may.
 includers() {
     (cd "$srcdir" && grep -Erl --include='*.[ch]' "^[ 	]*#[ 	]*include[ 	]*<($1)" $folders)
 }
@@ -167,8 +166,8 @@ only_in() {
     nothing "$(includers "$2" | grep -Ev "^($1)/")"
 }
 
-# Symbols in sections that are written to. Tables of pointers that are constant but for
-# their relocation lie in .data.rel.ro and are not meant.
+# Symbols in writable sections. Tables of constant pointers that are only relocated are in
+# .data.rel.ro and are allowed.
 writable_data() {
     for folder in $library; do
         $NM -A -f sysv "lib$folder.a" 2>/dev/null |

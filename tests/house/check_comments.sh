@@ -1,6 +1,6 @@
 #!/bin/sh
-# Comments, so that they read as plain English: few begin as a fragment of a sentence, with a
-# word like "What", "Of" or "How", or with a pronoun whose noun is in the code.
+# Comments read as plain English: few begin as a fragment of a sentence, with a word such as
+# "What", "Of" or "How", or with a pronoun whose noun is in the code.
 . "$srcdir/tests/lib/tap.sh"
 
 program="model formats methods simulate studies charts reports api serve cli"
@@ -10,8 +10,8 @@ most=1 # per cent of the comments
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-# Lines "FILE:LINE: WORDS" of all comments, by their first line; the name of the file at the
-# head of one is left out.
+# Lines "FILE:LINE: WORDS" with the first line of each comment; the file name at the beginning of a
+# file's first comment is omitted.
 (cd "$srcdir" && awk '
     FNR == 1 { inside = 0 }
     {

@@ -1,8 +1,8 @@
 #!/bin/sh
-# The documents are about this program: every cited work is listed and every listed one
-# cited; every element, attribute, glazing and finish of room files, every method,
-# command, option and chart stands in its chapter, every option in the man page; every
-# folder of the sources in ARCHITECTURE.md; and no formula of the overcast sky stands twice.
+# The documentation agrees with the program: every cited work is listed and every listed work
+# cited; every element, attribute, glazing and finish of room files and every method, command,
+# option and chart is in its chapter; every option is in the man page; every folder of the sources
+# is in ARCHITECTURE.md; and no formula of the overcast sky is repeated.
 build=$(pwd)
 . "$srcdir/tests/lib/tap.sh"
 
@@ -10,7 +10,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$srcdir" || exit 1
 
-# A key is capitals and then a year or a number, [MS42], or any that the list has.
+# A key consists of capitals and a year or number, such as [MS42], or is any other key in the list.
 key='\[[A-Z][A-Z]*[0-9][0-9][0-9]*[A-Za-z]*\]'
 sed -n 's/^- \*\*\(\[.*\]\)\*\*.*/\1/p' docs/SOURCES.md >"$scratch/order"
 LC_ALL=C sort -u "$scratch/order" >"$scratch/listed"
@@ -34,8 +34,8 @@ check "every listed work is cited" \
 check "the list is in order of its keys, each once" \
     nothing "$(tr -d '[]' <"$scratch/order" | LC_ALL=C sort -uc 2>&1)"
 
-# not_in FILE: those of the words on standard input that FILE, or a folder of pages, does not
-# have; in Markdown counts what stands there as `code` or in a heading.
+# not_in FILE: the words on standard input that FILE, or a folder of pages, does not contain; in
+# Markdown only `code` and headings count.
 not_in() {
     case $1 in
     */elements | */commands | */methods) grep -ho -e '`[^`]*`' -e '^#.*' "$1"/*.md ;;
@@ -102,7 +102,7 @@ check "formulae in docs/methods are those that the program works out (make formu
 sed -n 's/^\([a-z][a-z-]*\)  \[.*/\1/p' "$scratch/formulae" >"$scratch/with_formulae"
 check "the program lists formulae" test -s "$scratch/with_formulae"
 sed -n 's/^<!-- formulae of \(.*\) -->/\1/p' docs/methods/*.md | sort >"$scratch/shown"
-# Counting and reading scales is told in words.
+# Pages describe counting and reading scales in words.
 check "every method's are in docs/methods" nothing "$(grep -vx -e waldram -e pepper-pot \
     -e protractor -e nomogram "$scratch/with_formulae" | sort | comm -3 - "$scratch/shown")"
 find methods -name '*.c' -exec sed -n 's/^ *\.source = "\([A-Z][A-Z0-9]*\)[,"].*/\1/p' {} + |
@@ -112,20 +112,20 @@ check "where.md has a place for each of them" nothing "$(sh docs/where.sh |
     sed -n 's/^| \[\([A-Za-z0-9]*\)\] .*/\1/p' | LC_ALL=C sort -u |
     LC_ALL=C comm -13 - "$scratch/sources")"
 
-# Links from page to page, to files and to headings.
+# Links to pages, files and headings.
 check "no page of the manual has a dead link" nothing "$(
     ${AWK:-awk} -f tests/house/links.awk README.md ARCHITECTURE.md CONTRIBUTING.md \
         docs/*.md docs/*/*.md)"
 
-# Sentences are short, and none begins with "Of", "What" or "How". Left out: titles of works, and
-# the texts of benchmarks and of the header.
+# Sentences are short, and none begins with "Of", "What" or "How". Titles of works, and the texts
+# of benchmarks and of the header, are not tested.
 find README.md ARCHITECTURE.md CONTRIBUTING.md docs -name '*.md' ! -name PERFORMANCE.md \
     ! -name SOURCES.md ! -name reference.md >"$scratch/plain"
 check "pages have fewer than 18 words a sentence on average" nothing "$(
     LC_ALL=C xargs ${AWK:-awk} -v limit=18 -f tests/house/sentences.awk <"$scratch/plain")"
 
-# A number of a published formula stands once, so that program, --explain and manual change
-# with it: whole formulae in C, comments aside, have no other place for it.
+# once TEXT: a number of a published formula occurs once in the code, apart from comments, so that
+# program, --explain and manual always agree.
 once() {
     found=$(grep -rnF --include='*.[ch]' -- "$1" methods | grep -v '^[^:]*:[0-9]*: \*')
     [ "$(printf '%s\n' "$found" | grep -c .)" -eq 1 ] || printf '%s: %s\n' "$1" "$found"
@@ -142,11 +142,10 @@ check "equations 9, 12 and 15 of [GEEBELEN] stand once" nothing "$(
 check "every folder of the sources is in ARCHITECTURE.md" \
     nothing "$(find $folders -type d | sed 's|.*/||; s|$|/|' | not_in ARCHITECTURE.md)"
 
-# The overcast sky's gradation stands in graded_sky.h. Code that has a number made of it
-# (1 + 2 sin, 3/7, 3/14, 4/(7 pi), 7/9), comments apart, has it a second time. What is
-# looked for is how such numbers have been written; that closed forms follow the gradation
-# however they are written is what tests/methods/test_gradation.c shows. Radiance's own
-# skies are Radiance's.
+# The gradation of the overcast sky is in graded_sky.h. Other code with a number derived from it (1
+# + 2 sin, 3/7, 3/14, 4/(7 pi), 7/9) repeats it. The patterns match the usual ways to write such
+# numbers; tests/methods/test_gradation.c shows that all closed forms depend on the gradation.
+# Radiance's skies have their own constants.
 repeated='7(\.0)? *\* *(PP_PI|3\.14)|14(\.0)? *\* *PP_PI|/ *14(\.0)?([^0-9.]|$)'
 repeated="$repeated|(3|7|9)(\\.0)? */ *(3|7|9)\\.0"
 repeated="$repeated|1(\\.0)? *\\+ *2(\\.0)? *\\* *(Dz|sin|[a-z]+\\.z|s )"
@@ -158,7 +157,7 @@ repeats() {
     done
 }
 check "the overcast sky's gradation is in one place" nothing "$(repeats)"
-# The code in docs/theory.md is the program's.
+# The code in docs/theory.md is that of the program.
 theory_code() {
     ${AWK:-awk} -v top=. -f docs/code_blocks.awk docs/theory.md 2>&1 | diff docs/theory.md - | head
 }

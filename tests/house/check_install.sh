@@ -1,8 +1,8 @@
 #!/bin/sh
-# What is installed serves programs that know nothing else of the project: one header; the
-# examples, built by C and C++ compilers against it; the library opened at run time; the
-# pictures, tables and examples that the manual points to. The program runs every command
-# where it is staged and where the tree is moved, and uninstalling leaves nothing behind.
+# The installed files suffice for programs that use nothing else of the project: one header; the
+# examples, built with C and C++ compilers; the library loaded at run time; the pictures, tables
+# and examples named in the manual. The program runs every command from the staging folder and
+# after the tree is moved; uninstalling removes all files.
 . "$srcdir/tests/lib/tap.sh"
 
 scratch=$(mktemp -d)
@@ -21,7 +21,7 @@ if $NM libmodel.a 2>/dev/null | grep -Eq '__(asan|ubsan)'; then
     exit
 fi
 
-# Without this run's jobs and flags of make, which are about the tests.
+# Without the jobs and flags of this run of make, which are for the tests.
 staged() {
     env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL make -s "$1" DESTDIR="$root" \
         >"$scratch/install.log" 2>&1 || { cat "$scratch/install.log"; return 1; }
@@ -38,7 +38,7 @@ one_header() {
     nothing "$(find "$prefix/include" -type f ! -name pepperpot.h)"
 }
 
-# built COMPILER NAME: an example against the installed tree.
+# built COMPILER NAME: builds an example with the installed tree.
 built() {
     $1 -Wall -Wextra -Werror -I"$include" "$examples/$2.c" -o "$scratch/$2" -L"$lib" \
         -lpepperpot
@@ -97,7 +97,7 @@ check "tables and examples are installed beside it" \
     test -s "$doc/tables/finishes.csv" -a -s "$doc/examples/office.xml" \
     -a -s "$doc/examples/sweep.c"
 
-# Every command of the program in the tree at $1, on a room.
+# runs TREE: runs every command of the program in this tree.
 runs() {
     bin=$1/bin
     work=$(mktemp -d "$scratch/work.XXXXXX")
@@ -126,7 +126,8 @@ runs() {
     )
 }
 
-# A module that says that MPI cannot be started, where the one for MPI is searched first.
+# finds_its_module TREE: a module that reports that MPI cannot be started, in the first place where
+# the MPI module is searched.
 finds_its_module() {
     mkdir -p "$1/lib/pepperpot"
     echo 'int pp_mpirun_module(void) { return 1; }' >"$scratch/module.c"

@@ -1,11 +1,11 @@
 #!/bin/sh
-# The deliberate changes of tests/long/mutants.txt can be made: each changes one line of a
-# file that is there. Whether a test sees them takes hours (make check-mutants).
+# The deliberate errors of tests/long/mutants.txt can be applied: each changes one line of an
+# existing file. Whether a test detects them takes hours (make check-mutants).
 . "$srcdir/tests/lib/tap.sh"
 
 list=$srcdir/tests/long/mutants.txt
 
-# What cannot be made, a line each.
+# stale: errors that cannot be applied, one per line.
 stale() {
     grep -v '^#\|^$' "$list" | while read -r file change; do
         if [ ! -f "$srcdir/$file" ]; then

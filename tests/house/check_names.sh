@@ -1,8 +1,8 @@
 #!/bin/sh
-# Names, so that a thing is where its name says: no two files of one name, no two structs
-# of one tag, a head on every file, guards that are paths, external functions that begin
-# with their file's name and are declared in its header, static functions whose name says
-# which of them it is, folders and files of a size that can be surveyed.
+# Names show where things are: no two files have the same name, no two structs the same tag; every
+# file has a first comment; include guards are paths; external functions begin with the name of
+# their file and are declared in its header; names of static functions are rarely repeated; folders
+# and files have a limited size.
 . "$srcdir/tests/lib/tap.sh"
 
 program="model formats methods simulate studies charts reports api serve cli"
@@ -12,19 +12,19 @@ test_lines_most=700  # a test or benchmark: a list of facts, each short
 share_least=95       # per cent of the external functions
 statics_most=3       # files in which static functions have one name
 
-# Files that may be longer: one a line, path and then the reason.
+# Files that may be longer: one per line, with the reason.
 long_files='
 '
 
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-# All sources, by path from the top; those of a build in the source tree are left out.
+# All sources, by path from the top; those of a build in the source tree are excluded.
 (cd "$srcdir" && find $program tests bench -name '*.[ch]' | LC_ALL=C sort) >"$scratch/sources"
 grep -E "^($(echo "$program" | tr ' ' '|'))/" "$scratch/sources" >"$scratch/program"
 
-# What bears a name of its own: tables, scripts and grammars too. The same stem of a .c and
-# a .h belongs to one thing, which has one folder.
+# Files that need a name of their own: also tables, scripts and dictionaries. A .c and a .h with
+# the same stem belong together, in one folder.
 (cd "$srcdir" && find $program tables tests bench \
     -name '*.[ch]' -o -name '*.sh' -o -name '*.csv' -o -name '*.awk' -o -name '*.dict') |
     sed 's|\(.*\)/\([^/]*\)|\2 \1|' | LC_ALL=C sort >"$scratch/named"
@@ -38,7 +38,7 @@ same_names() {
             END { for (name in n) if (n[name] > 1) print name ".[ch] is in" folders[name] }'
 }
 
-# code FILE...: lines "FILE CODE" without comments and without what strings hold.
+# code FILE...: lines "FILE CODE" without comments and contents of strings.
 code() {
     (cd "$srcdir" && awk '
         FNR == 1 { inside = 0 }
@@ -79,7 +79,7 @@ same_tags() {
         END { for (tag in n) if (n[tag] > 1) print tag " is defined in" places[tag] }'
 }
 
-# Sources that do not begin with a comment, and heads that name another file.
+# Sources that do not begin with a comment, and first comments that name another file.
 without_head() {
     (cd "$srcdir" && awk '
         FNR == 1 {
@@ -114,8 +114,8 @@ wrong_guards() {
         }'
 }
 
-# Lines "PATH NAME" of the program's external functions, from its archives: the name of an
-# object tells its source, since names are unique.
+# Lines "PATH NAME" of the program's external functions, from its archives: names are unique, so
+# the name of an object gives its source.
 sed -n 's|\(.*/\)\([^/]*\)\.c$|\2 \1\2.c|p' "$scratch/program" >"$scratch/stems"
 for folder in $program; do
     $NM -A -g --defined-only "lib$folder.a" 2>/dev/null
@@ -123,8 +123,8 @@ done | sed -n 's/^[^:]*:\([^:]*\)\.o:[^ ]* T \([^_ ][^ ]*\)$/\1 \2/p' |
     awk 'NR == FNR { path[$1] = $2; next } $1 in path { print path[$1], $2 }' \
         "$scratch/stems" - >"$scratch/functions"
 
-# Lines "HEADER NAME" of what is declared there, by a prototype or by the name of a type of
-# functions ("pp_option_reader pp_options_read_text;").
+# Lines "HEADER NAME" of declarations, by a prototype or by the name of a function type
+# ("pp_option_reader pp_options_read_text;").
 code pepperpot.h $(grep '\.h$' "$scratch/program") | awk '
     {
         file = $1
@@ -135,9 +135,9 @@ code pepperpot.h $(grep '\.h$' "$scratch/program") | awk '
         }
     }' >"$scratch/declared"
 
-# External functions with another name than pp_[folder_]file..., and those that their own
-# file's header does not declare. What pepperpot.h declares is named for its user, and is
-# at home in any file of api/; pp_building_read and its like, in the file of their name.
+# External functions with another name than pp_[folder_]file..., and those that the header of their
+# file does not declare. Functions declared in pepperpot.h have names for users, and may be in any
+# file of api/; pp_building_read and similar ones must be in the file of their name.
 astray() {
     awk '
         NR == FNR { declared[$1, $2] = 1; next }
@@ -157,8 +157,8 @@ astray() {
         }' "$scratch/declared" "$scratch/functions"
 }
 
-# Names of static functions that more than a few files have: in a stack trace they do not
-# say where it is, and a breakpoint at one is a menu.
+# Names of static functions in more than a few files: in a stack trace they do not show their file,
+# and a breakpoint on such a name is ambiguous.
 same_statics() {
     code $(cat "$scratch/program") | awk -v most=$statics_most '
         {
@@ -211,7 +211,7 @@ check "no static name is in more than $statics_most files" nothing "$(same_stati
 check "no folder holds more than $files_most files" nothing "$(large_folders)"
 check "no file is longer than $lines_most lines, but for reasons" nothing "$(long_sources)"
 
-# The share is told whether it is enough or not, and what is astray if it is not.
+# The share is always printed, and the misplaced functions if it is too high.
 astray >"$scratch/astray"
 wrong=$(wc -l <"$scratch/astray")
 all=$(wc -l <"$scratch/functions")

@@ -1,14 +1,13 @@
 #!/bin/sh
-# The shared library exports the functions of pepperpot.h, and no other name; the header
-# stands alone, for C and for C++, and its version is the package's.
+# The shared library exports exactly the functions of pepperpot.h. The header compiles alone in C
+# and C++, and has the version of the package.
 . "$srcdir/tests/lib/tap.sh"
 
 library=.libs/libpepperpot.so
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-# The compiler is asked, not our own list: it knows a name that the header declares, and
-# refuses any other.
+# The compiler is the judge: it accepts a name that the header declares, and rejects any other.
 undeclared() {
     echo '#include "pepperpot.h"' >"$scratch/names.c"
     echo 'void names(void);' >>"$scratch/names.c"

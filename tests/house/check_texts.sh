@@ -1,13 +1,13 @@
 #!/bin/sh
-# Texts that the program prints, so that they read as plain English: no sentence begins with
-# "Of", "What", "How" or "Which", few are long, and the mean is short in every folder.
+# Texts printed by the program read as plain English: no sentence begins with "Of", "What", "How"
+# or "Which", few are long, and the mean length is small in every folder.
 . "$srcdir/tests/lib/tap.sh"
 
 folders="model formats methods simulate studies charts reports api serve cli"
 mean=15    # words in a sentence
 longest=32 # words in a sentence
 
-# Literals in another language: functions of Radiance, a style sheet, names of options, heads of
+# Literals in another language: functions of Radiance, a style sheet, names of options, headings of
 # tables for programs.
 code="formats/radiance/rad_functions.c reports/page/html.c reports/atlas/atlas_bands_csv.c
     serve/work/program_words.c"

@@ -1,7 +1,7 @@
 #!/bin/sh
-# The same room, options and seed give the same bytes from gcc and clang, at -O0 and -O3,
-# with and without wide registers (simulate/sampling/lanes.h), with 1, 2 and 4 threads.
-# Builds the program six times: minutes (make check-long).
+# The same room, options and seed give identical output with gcc and clang, at -O0 and -O3, with
+# and without wide registers (simulate/sampling/lanes.h), and with 1, 2 and 4 threads. Builds the
+# program six times, which takes minutes (make check-long).
 . "$srcdir/tests/lib/tap.sh"
 
 scratch=$(mktemp -d)
@@ -10,7 +10,7 @@ source=$(cd "$srcdir" && pwd)
 cores=$(getconf _NPROCESSORS_ONLN)
 cached=$(command -v ccache || true)
 
-# By a link without a space in its name, which configure would refuse.
+# Uses a link without a space in its name, since configure rejects spaces.
 ln -s "$source" "$scratch/source"
 
 build() {
@@ -20,7 +20,7 @@ build() {
         make -s -j"$cores"
 }
 
-# results BUILD THREADS: what the program says of every example, in all formats.
+# results BUILD THREADS: the output for every example, in all formats.
 results() {
     for room in "$source"/examples/*.xml; do
         for format in json csv text; do

@@ -1,9 +1,9 @@
 #!/bin/sh
-# same_outputs.sh BEFORE AFTER - runs two builds of the program side by side: every command
-# on every example room, in every format, and every wrong call's words and exit status;
-# names each file in which they differ, byte for byte. For changes that move and rename and
-# must change nothing; minutes, and not part of make check. AFTER stands in its build folder,
-# where test_wrong_rooms (make check) is, which writes out the wrong rooms.
+# same_outputs.sh BEFORE AFTER - runs two builds of the program side by side: every command for
+# every example room, in every format, and the messages and exit status of every wrong call. Prints
+# each file in which they differ. For changes that move and rename code without changing results;
+# takes minutes and is not part of make check. AFTER must be in its build folder with
+# test_wrong_rooms (make check), which writes the wrong rooms.
 set -eu
 case $#:${1-} in
 2:/* | 2:./* | 2:*/*) ;;
@@ -23,7 +23,7 @@ writer=$(dirname "$after")/tests/model/room/read/test_wrong_rooms
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-# said FILE ARGUMENT ...: what the program writes and says of a call, and how it ends.
+# said FILE ARGUMENT ...: output, messages and exit status of a call.
 said() {
     file=$1
     shift
@@ -34,7 +34,7 @@ said() {
 
 few='--samples 2 --seed 7 --threads 2 --quiet'
 
-# tables ROOM NAME: what is printed of one room file.
+# tables ROOM NAME: text output for a room file.
 tables() {
     for format in text json csv; do
         said "$2.df-$format" df -m all $few --simulate --format $format "$1"
@@ -57,7 +57,7 @@ tables() {
     said "$2.sky" df --sky iso-12,40,180 -m exact --quiet --external 5000 "$1"
 }
 
-# charts ROOM NAME: every chart of one room file, in every format.
+# charts ROOM NAME: every chart of a room file, in every format.
 charts() {
     for format in pdf svg png; do
         said "$2.$format.section" chart section -o "$2-section.$format" --dpi 60 "$1"
@@ -76,7 +76,7 @@ charts() {
     done
 }
 
-# pictures ROOM NAME: pictures of one room file, and the room for other programs.
+# pictures ROOM NAME: pictures of a room file, and its exports.
 pictures() {
     for format in hdr pfm png; do
         said "$2.$format.picture" render --size 48x36 --samples 2 --quiet --threads 2 \
@@ -124,7 +124,7 @@ for side in before after; do
     eval program=\$$side
     mkdir "$scratch/$side"
     cd "$scratch/$side"
-    # By the same names on both sides, since messages repeat them.
+    # With the same file names for both builds, since messages contain them.
     mkdir -p rooms/wrong
     cp "$source"/examples/*.xml rooms
     srcdir=$source "$writer" --write-all rooms/wrong

@@ -1,9 +1,8 @@
-# sentences.awk - how long the sentences of Markdown pages are: for each page its number of
-# sentences, their mean length in words, and the longest; then the sentences that begin with
-# "Of", "What" or "How". Headings, code, tables and comments are not counted; a span of code
-# is one word.
+# sentences.awk - lengths of sentences in Markdown pages: for each page the number of sentences,
+# their mean length in words, and the longest; then the sentences that begin with "Of", "What" or
+# "How". Headings, code, tables and comments are not counted; a span of code is one word.
 #
-#     awk -v limit=18 -f sentences.awk PAGE.md ...      exit status 1 over the limit
+#    awk -v limit=18 -f sentences.awk PAGE.md ...      exit status 1 over the limit
 
 function sentence(text,    count, parts, word, i) {
     sub(/^[ *_"(]+/, "", text)
@@ -26,8 +25,8 @@ function sentence(text,    count, parts, word, i) {
     }
 }
 
-# A paragraph or an item of a list is cut at full stops; those of abbreviations have a single
-# letter before them, and a colon ends a sentence before a capital.
+# Divides a paragraph or list item at full stops, except those of abbreviations, which follow a
+# single letter; a colon before a capital also ends a sentence.
 function paragraph(    text) {
     text = block
     block = ""

@@ -1,6 +1,6 @@
-# texts.awk - the sentences that C sources print: string literals of at least six words, with
-# adjacent literals joined, cut at full stops before a capital. One line a sentence:
-# "FILE:LINE: WORDS: SENTENCE". Formula texts, comments and preprocessor lines are left out.
+# texts.awk - the sentences printed by C sources: string literals of at least six words, with
+# adjacent literals joined, divided at full stops before a capital. One line per sentence:
+# "FILE:LINE: WORDS: SENTENCE". Formulae, comments and preprocessor lines are excluded.
 
 function put_sentence(text,    parts, word, i, count) {
     gsub(/^[ (]+|[ ]+$/, "", text)
@@ -13,8 +13,8 @@ function put_sentence(text,    parts, word, i, count) {
         print file ":" line ": " count ": " text
 }
 
-# Breaks of lines within a paragraph are blanks; empty lines, items of lists and indented lines
-# part sentences. A single letter or a digit before a full stop is an initial or a number.
+# Line breaks within a paragraph are blanks; empty lines, list items and indented lines separate
+# sentences. A single letter or digit before a full stop is an initial or a number.
 function put_literal(text) {
     gsub(/\\n\\n|\\n *-|\\n +/, "\001", text)
     gsub(/\\[nt]/, " ", text)

@@ -1,7 +1,7 @@
-# cli.sh - for the end-to-end tests: runs the program and looks at its output.
+# cli.sh - for tests of the whole program: runs it and tests its output.
 #
-# Sourced behind tap.sh. $scratch is a directory of our own, removed at the end; out and
-# err in it are the standard output and error of the last run, $status is its status.
+# To be sourced after tap.sh. $scratch is a temporary folder, removed at the end; $scratch/out and
+# $scratch/err are the standard output and error of the last run, $status is its exit status.
 
 pepperpot=$PWD/pepperpot
 examples=$(cd "$srcdir/examples" && pwd)
@@ -9,12 +9,12 @@ deep=$examples/deep-office.xml
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-# Under AddressSanitizer half of a chart's time went to the names of calls, which it looks up for
-# every leak of the libraries that tests/lib/lsan.supp passes by module.
+# Symbolising every leak of libraries that tests/lib/lsan.supp suppresses would take half of a
+# chart's time under AddressSanitizer.
 export ASAN_OPTIONS="symbolize=0:${ASAN_OPTIONS-}"
 
-# some WORDS: every third of them, each on a line; all with FULL_SIZE set, as
-# tests/long/long_full_size.sh has it.
+# some WORDS: every third word, one per line; all words if FULL_SIZE is set, as in
+# tests/long/long_full_size.sh.
 some() {
     some_left=0
     for some_word; do
@@ -29,7 +29,7 @@ run() {
     status=$?
 }
 
-# told: prints the last run's status and first lines for the log, and fails.
+# told: prints the exit status and the first lines of the last run, and fails.
 told() {
     echo "status $status"
     head -n 5 "$scratch/out" "$scratch/err"
@@ -48,7 +48,7 @@ gives() {
     [ $status -eq 0 ] && [ -s "$scratch/out" ] && [ ! -s "$scratch/err" ] || told
 }
 
-# refuses STATUS TEXT WORDS: that status, the text on standard error, nothing on standard
+# refuses STATUS TEXT WORDS: this status, the text on standard error, and nothing on standard
 # output.
 refuses() {
     wanted=$1
@@ -59,52 +59,52 @@ refuses() {
         grep -qF -- "$text" "$scratch/err" || told
 }
 
-# shows TEXT WORDS: gives, and the text is on standard output.
+# shows TEXT WORDS: as gives, with the text on standard output.
 shows() {
     text=$1
     shift
     gives "$@" && { grep -qF -- "$text" "$scratch/out" || told; }
 }
 
-# words FILE.pdf: what is written on its pages.
+# words FILE.pdf: the text on its pages.
 if command -v pdftotext >/dev/null; then
     words() { pdftotext -layout "$1" - | tr '\302\240' '  ' | tr -s ' '; }
 else
     words() { :; }
 fi
-# says FILE.pdf TEXT: it is written there, where that can be read.
+# says FILE.pdf TEXT: the file contains the text; succeeds if pdftotext is not installed.
 says() {
     ! command -v pdftotext >/dev/null || words "$1" | tr '\n' ' ' | tr -s ' ' | grep -qF -- "$2" ||
         { words "$1" | head -n 30; return 1; }
 }
 
-# too_wide: lines of the output of more than 80 characters; those that name a file are as
-# long as its path.
+# too_wide: lines of the output with more than 80 characters, except lines that contain the path of
+# a file.
 too_wide() {
-    # The bytes behind the first of a character are none.
+    # Continuation bytes of UTF-8 do not count as characters.
     LC_ALL=C awk -v files="$examples/" '{ line = $0; gsub(/[\200-\277]/, "", line) }
         length(line) > 80 && !index($0, files)' "$scratch/out"
 }
 
-# untidy: lines of the output that are too wide, end with a blank, or hold a NaN.
+# untidy: lines of the output that are too wide, end with a blank, or contain "nan".
 untidy() {
     too_wide
     grep -n ' $' "$scratch/out"
     grep -inE '(^|[^a-z])-?(nan|inf)([^a-z]|$)' "$scratch/out"
 }
 
-# leftovers: temporary files and directories that the program left in $scratch.
+# leftovers: temporary files and folders that the program left in $scratch.
 leftovers() {
     find "$scratch" -name '*.pepperpot-*'
 }
 
-# same FILE FILE: byte for byte.
+# same FILE FILE: the files are identical.
 same() {
     cmp "$1" "$2"
 }
 
-# same_by_threads "N M ..." WORDS: the output is the same with each number of threads; a
-# copy is in $scratch/by_threads.
+# same_by_threads "N M ..." WORDS: the output is identical with each number of threads; a copy is
+# in $scratch/by_threads.
 same_by_threads() {
     numbers=$1
     shift
@@ -116,8 +116,8 @@ same_by_threads() {
     done
 }
 
-# on_full_disk BLOCKS WORDS: like run, but no file can grow beyond that many blocks, as on
-# a full disk; standard output is not kept.
+# on_full_disk BLOCKS WORDS: like run, but no file can grow beyond this number of blocks, as on a
+# full disk; standard output is discarded.
 on_full_disk() {
     blocks=$1
     shift
@@ -131,7 +131,7 @@ on_full_disk() {
     printf '%s' "$printed" >"$scratch/err"
 }
 
-# check_words WHAT FILE TEXT...: a check that the texts stand in a PDF, as text.
+# check_words WHAT FILE TEXT...: a check that the text of a PDF contains each of these texts.
 check_words() {
     what=$1
     file=$2
@@ -153,7 +153,7 @@ has_words() {
     done
 }
 
-# simulates PID: does that run catch signals by now, and has it worked for a second since?
+# simulates PID: succeeds if the process catches signals and has used a second of CPU time.
 simulates() {
     caught=$(sed -n 's/^SigCgt:.*\(....\)$/\1/p' "/proc/$1/status")
     busy=$(awk '{ print $14 + $15 }' "/proc/$1/stat")
@@ -166,8 +166,8 @@ simulates() {
     esac
 }
 
-# interrupted WORDS: like run, but SIGTERM is sent once the simulation is well under way,
-# however slow the machine; after two minutes in any case.
+# interrupted WORDS: like run, but sends SIGTERM while the simulation is running, on any machine;
+# at the latest after two minutes.
 interrupted() {
     "$pepperpot" "$@" >"$scratch/out" 2>"$scratch/err" </dev/null &
     begun= tries=0

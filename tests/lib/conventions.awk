@@ -1,12 +1,12 @@
-# conventions.awk - for tests of what a room file says in words: a room that says it, and the same
-# room with all of it written out as polygons.
+# conventions.awk - for tests of the elements of a room file: writes a room with these elements,
+# and the same room with everything written as polygons.
 #
-#     awk -f conventions.awk -v number=N -v written=no      reveal, frame-factor, facade, ...
-#     awk -f conventions.awk -v number=N -v written=yes     surfaces
+#    awk -f conventions.awk -v number=N -v written=no      reveal, frame-factor, facade, ...
+#    awk -f conventions.awk -v number=N -v written=yes     surfaces
 #
-# Openings have no glass, whose frame and reveal polygons can stand for. Rooms of one number have
-# the same dimensions. u goes along the window's wall from its left end as seen from outside, v
-# outwards from its inner face.
+# Openings are unglazed, so that polygons can represent frame and reveal. Rooms with the same
+# number have the same dimensions. u is measured along the window wall from its left end as seen
+# from outside, v outwards from its inner face.
 
 function dice(low, high) {
     state = (state * 48271) % 2147483647
@@ -23,7 +23,7 @@ function vertex(u, v, z, x, y) {
     return sprintf("<vertex x=\"%.9g\" y=\"%.9g\" z=\"%.9g\"/>", x, y, z)
 }
 
-# A rectangle across u and z at v, across u and v at z, across v and z at u.
+# Rectangles: in u and z at v; in u and v at z; in v and z at u.
 function upright(u1, u2, v, z1, z2, attributes) {
     if (u2 > u1 && z2 > z1)
         print "<surface " attributes ">" vertex(u1, v, z1) vertex(u2, v, z1) vertex(u2, v, z2) \
@@ -42,7 +42,7 @@ function reflects(share) {
     return sprintf("reflectance=\"%.9g\"", share)
 }
 
-# Round a rectangle of the wall, but for the opening: four pieces.
+# Four pieces around the opening within a rectangle of the wall.
 function around(u1, u2, v, z1, z2, attributes) {
     upright(u1, u2, v, z1, sill, attributes)
     upright(u1, u2, v, head, z2, attributes)
@@ -50,8 +50,8 @@ function around(u1, u2, v, z1, z2, attributes) {
     upright(right, u2, v, sill, head, attributes)
 }
 
-# The reveal's four sides; the frame's bars, of which there are forty, 2 mm inside the opening:
-# what is nearer than 1 mm to a wall is taken as its cladding.
+# The four sides of the reveal, and forty bars of the frame, 2 mm inside the opening: a surface
+# closer than 1 mm to a wall would be treated as its cladding.
 function write_opening(i, bar, from) {
     if (reveal > 0) {
         level(left, right, 0, reveal, sill, reflects(walls))
@@ -91,7 +91,7 @@ function say_shade() {
         print "<balcony depth=\"1.2\" left=\"0.5\" right=\"0.4\" level=\"0.02\" parapet=\"1\" reflectance=\"0.3\"/>"
 }
 
-# The facade's rectangle in the plane of the glass; the skyline's wall.
+# The rectangle of the façade in the plane of the glass; the wall of the skyline.
 function write_outside(bottom, top, corners, i) {
     bottom = -up_to_ground < ground ? ground : -up_to_ground
     if (facade)

@@ -1,18 +1,18 @@
-# ordinary_rooms.awk - 300 rooms as architects draw them, to measure how often the truth is in
-# the likely ranges of hand figures. The rooms have nothing to do with those of the atlas, by
-# which the ranges are made, nor with the examples.
+# ordinary_rooms.awk - 300 ordinary rooms, to measure how often the true value is in the likely
+# range of a hand figure. The rooms are independent of the atlas, from which the ranges are
+# derived, and of the examples.
 #
-#     awk -v folder=DIR -f ordinary_rooms.awk          DIR/1.xml to DIR/300.xml, DIR/rooms.csv
-#     awk -v folder=DIR -v room=17 -f ordinary_rooms.awk                   DIR/17.xml alone
+#    awk -v folder=DIR -f ordinary_rooms.awk          DIR/1.xml to DIR/300.xml, DIR/rooms.csv
+#    awk -v folder=DIR -v room=17 -f ordinary_rooms.awk                   DIR/17.xml alone
 #
-# rooms.csv has a line for each room: its number and kind; the obstruction's angle in degrees
-# (0: nothing) and its distance in metres (0: far away); whether light comes from above; and for
-# each point its distance from the nearest window wall over the height of the window head above
+# rooms.csv has a line for each room: its number and kind; the obstruction's angle in degrees (0:
+# none) and its distance in metres (0: infinite); whether light comes from above; and for each
+# point its distance from the nearest window wall divided by the height of the window head above
 # the working plane.
 #
-# A room is laid out with its main window wall along u, from left to right as seen from outside,
-# and its depth along v; `turn` quarter turns then bring that wall to the south, east, north or
-# west. Random numbers are made here, so that every awk has the same rooms.
+# A room is designed with its main window wall along u, from left to right as seen from outside,
+# and its depth along v; `turn` quarter turns then rotate this wall to the south, east, north or
+# west. The script generates its own random numbers, so that every awk gives the same rooms.
 
 # ---- choices ----
 
@@ -22,7 +22,7 @@ function chance() {
     return state / 2147483647
 }
 
-# One word of a list; more frequent words stand there more than once.
+# One word of a list; more frequent words are repeated in the list.
 function one_of(list,    words, count) {
     count = split(list, words, " ")
     return words[1 + int(count * chance())]
@@ -43,15 +43,15 @@ function say(text) { print text >file }
 function number(value) { return sprintf("%.6g", value) }
 function has(name, value) { return sprintf(" %s=\"%s\"", name, number(value)) }
 
-# ---- from u and v to the plan ----
+# ---- conversion of u and v to the plan ----
 
-# The wall that is `quarters` counter-clockwise from the main one.
+# Name of the wall that is `quarters` quarter turns counter-clockwise from the main wall.
 function wall_name(quarters) { return walls[(quarters + turn) % 4] }
 function x_of(u, v) { return turn == 0 ? u : turn == 1 ? depth - v : turn == 2 ? width - u : v }
 function y_of(u, v) { return turn == 0 ? v : turn == 1 ? u : turn == 2 ? depth - v : width - u }
 function wall_length(quarters) { return quarters % 2 ? depth : width }
 
-# The box over u0 to u1, v0 to v1.
+# The block from u0 to u1 and v0 to v1.
 function block(u0, v0, u1, v1, height, roof,    x0, y0, x1, y1) {
     x0 = x_of(u0, v0); y0 = y_of(u0, v0); x1 = x_of(u1, v1); y1 = y_of(u1, v1)
     say("  <block" has("x", smaller(x0, x1)) has("y", smaller(y0, y1)) \
@@ -103,8 +103,8 @@ function window(quarters, left, sill, wide, high,    line, shade) {
     has_window[quarters] = 1
 }
 
-# Windows `wide` with piers between, as many as the wall has room for and `most` at most; few
-# ones stand in the middle or to one side.
+# As many windows of width `wide`, with piers between them, as the wall has space for, and at most
+# `most`; a few windows are in the middle or to one side.
 function row(quarters, sill, head, wide, pier, most,    length_, edge, count, used, left, i) {
     length_ = wall_length(quarters)
     edge = .15
@@ -119,7 +119,7 @@ function row(quarters, sill, head, wide, pier, most,    length_, edge, count, us
         window(quarters, left + i * (wide + pier), sill, wide, head - sill)
 }
 
-# One strip from wall to wall, or windows between posts.
+# One window from wall to wall, or windows between posts.
 function strip(quarters, sill, head,    edge, span, count) {
     if (chance() < .4) {
         edge = one_of(".1 .15 .2 .3")
@@ -133,7 +133,7 @@ function strip(quarters, sill, head,    edge, span, count) {
 
 function ground_level() { return ground_floor ? one_of("0 0 -.15 -.3 -.5") : -storey * floors }
 
-# Before the main wall; `obstruction` and `away` tell rooms.csv.
+# Obstructions in front of the main wall; `obstruction` and `away` are for rooms.csv.
 function outside(kind,    angle, high, d, middle, from, to, house, fence) {
     middle = (sill + head) / 2 - ground
     obstruction = away = 0
@@ -168,13 +168,13 @@ function outside(kind,    angle, high, d, middle, from, to, house, fence) {
     }
 }
 
-# Before another wall.
+# A skyline in front of another wall.
 function second_skyline(quarters, angle) {
     say("  <skyline wall=\"" wall_name(quarters) "\"" has("angle", angle) "/>")
     obstruction = larger(obstruction, angle)
 }
 
-# The own building round the room.
+# The façade of the room's own building.
 function front() {
     if (chance() > .5) return
     say("  <facade wall=\"" wall_name(0) "\"" has("left", between(3, 12, 3)) \
@@ -195,7 +195,7 @@ function point(u, v,    nearest) {
     depths = depths " " sprintf("%.2f", nearest / larger(.5, head - plane))
 }
 
-# Six to eight: a line into the depth, or a grid.
+# Six to eight points: a line perpendicular to the window wall, or a grid.
 function points(    margin, far, count, columns, rows, i, j, u) {
     margin = smaller(from_walls, smaller(width, depth) / 4)
     if (chance() < .4) {
@@ -219,7 +219,7 @@ function sizes(u, v, high) {
     width = u; depth = v; height = high
 }
 
-# Sill and head; the head leaves a lintel where the room is low.
+# Sill and head; the head leaves space for a lintel in a low room.
 function heights(low, high) {
     sill = low
     head = smaller(high, height - one_of("0.1 0.2 0.2 0.3"))
@@ -315,7 +315,7 @@ function windows() {
     else if (kind == "Shop")
         row(0, sill, head, (width - .4) * one_of(".4 .6 .8 1"), .3, 2)
 
-    # A second wall.
+    # A second window wall.
     if (kind ~ /^Corner/)
         row(one_of("1 3"), sill, head, one_of("1 1.2 1.5 1.8"), one_of(".3 .6 .9"),
             is_home ? one_of("1 2") : 99)
@@ -329,7 +329,7 @@ function windows() {
         row(2, .8, smaller(2.1, height - .2), one_of("1.2 1.5 1.8"), .9, 1)
 }
 
-# Roof windows of usual makes, one or several beside each other; often on one slope alone.
+# Roof windows of common sizes, one or several next to each other; often on one slope only.
 function roof_windows(slope, length_,    wide, high, count, i, gap, low) {
     wide = one_of(".55 .78 .78 .94 1.14"); high = one_of(".98 1.18 1.18 1.4")
     low = one_of(".4 .6 .8 1")

@@ -1,23 +1,24 @@
-# plan_vectors.sh - reads the contours of a plan back from its SVG and holds them against df.
+# plan_vectors.sh - reads the contours of a plan from its SVG and compares them with df.
 #
-# On either side of a contour, a line's width off, the daylight factors by df have to have
-# the contour's level between them; all places of one line the same level. Sourced behind
+# On both sides of a contour, at a distance of the width of the line, df's daylight factors must
+# enclose the level of the contour; all points of a line have the same level. To be sourced after
 # cli.sh.
 
-# contours_of SVG JSON: the contours' places in metres, with the line's number and the place
-# on either side of it: "line x1 y1 x2 y2". The walls' outline in the drawing and the plane's
-# corners in the JSON give the scale. off_y: the y of planes of upright lights over the room.
+# contours_of SVG JSON: points of the contours in metres, each with the number of its line and the
+# points on both sides: "line x1 y1 x2 y2". The outline of the walls in the drawing and the corners
+# of the plane in the JSON give the scale. off_y: y of the planes of vertical rooflights above the
+# room.
 contours_of() {
     awk -v most="${places:-200}" -v off="${off_y:-}" '
-    # Nearer than 0.03 m to the plane of an upright light over the room, under which the plan
-    # has the light of 20 mm before it (methods/direct_plane.h)?
+    # True if y is closer than 0.03 m to the plane of a vertical rooflight above the room. The plan
+    # shows there the light 20 mm in front of this plane (methods/direct_plane.h).
     function is_under(y,    w, n, i) {
         n = split(off, w, / /)
         for (i = 1; i <= n; i++)
             if (y > w[i] - 0.03 && y < w[i] + 0.03) return 1
         return 0
     }
-    # Nearer than `least` to an edge of the plane, or outside it?
+    # True if the point is closer than `least` to an edge of the plane, or outside it.
     function is_off(x, y, least,    r, i, j, within, dx, dy, t, gap) {
         for (r = 1; r <= rings; r++)
             for (i = 1; i <= corners[r]; i++) {
@@ -33,8 +34,9 @@ contours_of() {
             }
         return !within
     }
-    # The place and its sides in the middle of the piece behind corner k of a line, unless
-    # the line turns sharply within its width, or a wall is so near that a side may lie in it.
+    # The point in the middle of the segment after corner k of a line, and the points on its sides.
+    # Segments are skipped if the line bends sharply within its width, or if a wall is so close
+    # that one of the points may be in it.
     function look_at(k, m,    x, y, dx, dy, l, a, b, ax, ay, bx, by) {
         x = (vx[k] + vx[k + 1]) / 2; y = (vy[k] + vy[k + 1]) / 2
         dx = vx[k + 1] - vx[k]; dy = vy[k + 1] - vy[k]
@@ -110,8 +112,8 @@ contours_of() {
     }' "$2" "$1"
 }
 
-# agrees METHODS ROOM WORDS: the plan by the method (traced: by --simulate) agrees with df at
-# its contours; says how many places were looked at.
+# agrees METHODS ROOM WORDS: the plan by the method (traced: by --simulate) agrees with df at its
+# contours; prints the number of points tested.
 agrees() {
     by=$1
     room=$2
@@ -135,7 +137,7 @@ agrees() {
         for (i = 1; i <= n; i++) {
             a = value[2 * i - 1]; b = value[2 * i]
             if (a > b) { c = a; a = b; b = c }
-            # Traced: three standard errors of both figures, which are independent.
+            # Simulated: three standard errors of both figures, which are independent.
             slack = 3 * 1.5 * (error[2 * i] > error[2 * i - 1] ? error[2 * i] : error[2 * i - 1])
             a -= slack; b += slack
             p = line[i]
@@ -144,7 +146,7 @@ agrees() {
             seen++
         }
         for (p in low)
-            # The printed digits of the figures, and the fixed rules (1e-4).
+            # Printed digits of the figures, and the error of fixed quadrature rules (1e-4).
             if (low[p] > high[p] * 1.0003 + 2e-9) {
                 printf "line %s: over %.6g at %s, under %.6g at %s\n", p, low[p], at[p],
                     high[p], upto[p]

@@ -1,7 +1,7 @@
 #!/bin/sh
-# run.sh PROGRAM ... - runs a test program with TAP output. cmocka numbers each file's tests
-# from 1, and up to 1.1.7 calls a skipped test "not ok": here they have one numbering, and a
-# skipped test becomes "ok N # SKIP", as TAP has it.
+# run.sh PROGRAM ... - runs a test program with TAP output. cmocka numbers the tests of each file
+# from 1, and up to version 1.1.7 reports a skipped test as "not ok". This script numbers all tests
+# consecutively and reports a skipped test as "ok N # SKIP", as TAP requires.
 said=$(CMOCKA_MESSAGE_OUTPUT=TAP "$@")
 status=$?
 printf '%s\n' "$said" | awk '

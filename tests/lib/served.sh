@@ -1,7 +1,8 @@
-# served.sh - for tests of the server: starts it, asks it by curl, stops it at the end.
+# served.sh - for tests of the server: starts it, sends requests with curl, and stops it at the
+# end.
 #
-# Sourced behind cli.sh. $address is the server's, $server its process, $key what the page gets
-# the room by; answer in $scratch is the last answer.
+# To be sourced after cli.sh. $address is the address of the server, $server its process, $key the
+# key under which the page gets the room; $scratch/answer is the last answer.
 
 json='Content-Type: application/json'
 server=
@@ -19,7 +20,7 @@ stop_serving() {
     server=
 }
 
-# serve WORDS: starts it.
+# serve WORDS: starts the server.
 serve() {
     stop_serving
     rm -f "$scratch/address"
@@ -32,13 +33,13 @@ serve() {
     key=$(sed -n 's/.*#key=//p' "$scratch/address")
 }
 
-# json_text FILE: its text as a JSON string.
+# json_text FILE: the contents of the file as a JSON string.
 json_text() {
     awk 'BEGIN { printf "\"" } { gsub(/\\/, "&&"); gsub(/"/, "\\\\&"); gsub(/\t/, "\\t"); printf "%s\\n", $0 }
         END { printf "\"" }' "$1"
 }
 
-# asks ROOM OPTIONS: makes the body of the next requests.
+# asks ROOM OPTIONS: writes the body of the following requests.
 asks() {
     printf '{"room":%s,"options":%s}' "$(json_text "$1")" "$2" >"$scratch/asked"
 }
@@ -48,7 +49,7 @@ ask() {
         >"$scratch/status"
 }
 
-# answers STATUS ENDPOINT
+# answers STATUS ENDPOINT: the request returns this status.
 answers() {
     ask "$2"
     [ "$(cat "$scratch/status")" = "$1" ] || {
@@ -58,7 +59,7 @@ answers() {
     }
 }
 
-# status_with STATUS WORDS: of a df with these words of curl's.
+# status_with STATUS WORDS: a df request with these arguments of curl returns this status.
 status_with() {
     wanted=$1
     shift
@@ -67,7 +68,7 @@ status_with() {
     [ "$given" = "$wanted" ] || { echo "status $given"; return 1; }
 }
 
-# holds PATTERN: the last answer does.
+# holds PATTERN: the last answer contains the pattern.
 holds() {
     grep -q -- "$1" "$scratch/answer" || { head -c 400 "$scratch/answer"; return 1; }
 }

@@ -1,9 +1,9 @@
-# streets.sh - for tests of skylines with a distance: a room before one, and before the long
-# block in its place.
+# streets.sh - for tests of skylines with a distance: a room opposite a skyline, and opposite the
+# long block in its place.
 
-# street KIND WALL DISTANCE ANGLE REFLECTANCE UP MORE: KIND is skyline or block, south of the
-# room; WALL is that of its window; UP is how far the room's own south front goes up over it,
-# 60 m to either side (-: it has none); MORE are further elements.
+# street KIND WALL DISTANCE ANGLE REFLECTANCE UP MORE: KIND is skyline or block, south of the room;
+# WALL is the wall of the window; UP is the height of the room's own south façade above the room,
+# 60 m to either side (-: none); MORE are further elements.
 street() {
     awk -v kind="$1" -v wall="$2" -v distance="$3" -v angle="$4" -v reflectance="$5" \
         -v up="$6" -v more="$7" 'BEGIN {
@@ -27,15 +27,15 @@ street() {
     }'
 }
 
-# factors ENGINES ERROR FILE: engine, place, daylight factor and standard error, per cent, a line
-# for each point and the average.
+# factors ENGINES ERROR FILE: engine, place, daylight factor and standard error in per cent, one
+# line for each point and the average.
 factors() {
     "$pepperpot" df -q --methods exact --simulate --engine "$1" --error "$2" --format csv "$3" |
         awk -F, '$10 == "df" && $12 != "" { print $11, $3 $4 $5, $12, $13 }'
 }
 
-# agree A B SHARE: the same lines of factors; all within SHARE, or within three standard errors of
-# a difference that is known to SHARE, or as well as the program works them out (0.002 %).
+# agree A B SHARE: the lines of factors agree: within SHARE, or within three standard errors of the
+# difference if its error is at most SHARE, or within the numerical accuracy (0.002 %).
 agree() {
     paste -d' ' "$1" "$2" | awk -v share="$3" '
     NF == 8 && $1 == $5 && $2 == $6 {

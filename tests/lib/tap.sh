@@ -1,9 +1,9 @@
-# tap.sh - for the tests that are shell scripts: says results in TAP.
+# tap.sh - for tests that are shell scripts: prints results in TAP.
 #
-#     . "$srcdir/tests/lib/tap.sh"
-#     check "what holds" command that succeeds if it holds, and prints why not
-#     skip "what holds" "why it cannot be looked at here"
-#     tap_done
+#    . "$srcdir/tests/lib/tap.sh"
+#    check "fact" command that succeeds if the fact is true, and prints the reason if not
+#    skip "fact" "reason why it cannot be tested here"
+#    tap_done
 
 tap_count=0
 
@@ -28,7 +28,7 @@ tap_done() {
     echo "1..$tap_count"
 }
 
-# For check: succeeds if there is nothing to say, and says it otherwise.
+# nothing TEXT: for check: succeeds if the text is empty, otherwise prints it.
 nothing() {
     [ -z "$1" ] || {
         printf '%s\n' "$1"

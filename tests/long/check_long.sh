@@ -1,7 +1,7 @@
 #!/bin/sh
-# check_long.sh TEST ... - runs long tests one after another: programs as tests/lib/run.sh does,
-# scripts by the shell. Prints what they print, the seconds of each, and the total. Exit status
-# 0 if all passed. `make check-long` calls it.
+# check_long.sh TEST ... - runs long tests one after another: programs with tests/lib/run.sh,
+# scripts with the shell. Prints their output, the seconds of each, and the total. Exit status 0 if
+# all passed. `make check-long` calls it.
 set -u
 log=check-long.log
 failed=

@@ -1,17 +1,17 @@
 #!/bin/sh
-# check_mutants.sh BUILD - do the tests see it when the program is wrong? Makes the deliberate
-# changes of mutants.txt, and others that draw_mutants.awk draws at random, one at a time, to
-# the copy of the sources that BUILD was configured from. Runs the quick tests until one
-# fails: those that include the changed file's header, those of its folder's mirror in
-# tests/, then all others. Prints for each change which test saw it. Fails where more than 5
-# in 100 of the list, or a third of the drawn ones, were seen by none: some drawn changes
-# change no result. Fails where a change of the list applies no longer, or not to one line
-# alone; a drawn one that does not compile does not count. A test that fails without any
-# change sees nothing: it is named and left out. Hours; make check-mutants makes the copy.
+# check_mutants.sh BUILD - measures how many deliberate errors the tests detect. Applies the
+# changes of mutants.txt, and others drawn at random by draw_mutants.awk, one at a time, to the
+# copy of the sources for which BUILD was configured. Runs the quick tests until one fails: first
+# those that include the header of the changed file, then those of the mirror folder in tests/,
+# then all others. Prints for each change the test that detected it. Fails if no test detects more
+# than 5 in 100 changes of the list, or more than a third of the drawn ones: some drawn changes do
+# not affect results. Also fails if a change of the list does not match exactly one line; a drawn
+# change that does not compile does not count. A test that fails without any change is named and
+# excluded. Takes hours; make check-mutants makes the copy.
 #
-# MUTANTS=REGEX: of the changes only those whose line matches. DRAWN=N: N drawn changes (60),
-# 0: none. SEED=N: others (1). NEAR=yes: only the tests that come first, minutes; its
-# survivors may be seen by others.
+# MUTANTS=REGEX: only changes whose line matches. DRAWN=N: N drawn changes (60), 0: none. SEED=N:
+# other drawn changes (1). NEAR=yes: only the tests nearest to each change, which takes minutes;
+# other tests may detect those that remain.
 build=$1 list=$(cd "$(dirname "$0")" && pwd)/mutants.txt
 drawn_from="methods simulate model/light studies/criteria formats"
 source=$(sed -n "s/^abs_srcdir = //p" "$build/Makefile")
@@ -26,13 +26,13 @@ $make all >mutant.log 2>&1 || {
     exit 2
 }
 names() { echo "show: ; @echo \$($1)" | $make -f Makefile -f - show; }
-# A C test is a file; a folder's program runs it. test_wrong_rooms is a program of its own.
+# A C test is a file that the program of its folder runs. test_wrong_rooms is a separate program.
 programs=$(cd "$source" && find tests -name 'test_*.c' ! -path 'tests/lib/*' | sed 's/\.c$//' | sort)
 scripts=$(names dist_check_SCRIPTS | tr ' ' '\n' | grep -v '^tests/house/')
 export srcdir="$source"
 
-# near FILE: the tests that are likely to see a change in it, and those of the folders above
-# where its own has none.
+# near FILE: the tests that are likely to detect a change in this file, or those of the parent
+# folders if its own folder has none.
 near() {
     header=${1%.c}.h folder=tests/$(dirname "$1")
     for program in $programs; do
@@ -46,7 +46,7 @@ near() {
     done
 }
 
-# program_of TEST: what has to be built for it.
+# program_of TEST: the program to be built for this test.
 program_of() {
     case $1 in
     *.sh) echo pepperpot ;;
@@ -55,7 +55,7 @@ program_of() {
     esac
 }
 
-# fails TEST: it fails, or does not end.
+# fails TEST: succeeds if the test fails or does not end.
 fails() {
     case $1 in
     *.sh) run="sh $source/$1" ;;
@@ -65,10 +65,10 @@ fails() {
     ! (ulimit -v 12000000 && timeout 600 $run) >mutant.log 2>&1 || grep -q '^not ok' mutant.log
 }
 
-# once WORD ...: each once, in the order in which it first comes.
+# once WORD ...: each word once, in the order of its first occurrence.
 once() { printf '%s\n' "$@" | awk 'NF && !seen[$0]++'; }
 
-# made TEST ...: builds what they need.
+# made TEST ...: builds the programs for these tests.
 made() {
     needed=
     for test in "$@"; do
@@ -77,7 +77,7 @@ made() {
     $make $(once $needed) >mutant.log 2>&1
 }
 
-# seen_by TEST ...: which of the tests fails first; "" where none does.
+# seen_by TEST ...: prints the first test that fails; "" if none does.
 seen_by() {
     made "$@" || {
         echo "not made: $(grep -m 1 error mutant.log)"
@@ -91,7 +91,7 @@ seen_by() {
     done
 }
 
-# try TEST ...: runs those that have not been run yet without any change.
+# try TEST ...: runs those tests without any change that have not been run yet.
 try() {
     for test in "$@"; do
         ! grep -q "^$test\$" mutant.tried || continue
@@ -103,7 +103,7 @@ try() {
     done
 }
 
-# change_all FILE: makes the changes that the file lists. Sets done, survivors and wrong.
+# change_all FILE: applies the changes listed in the file. Sets done, survivors and wrong.
 change_all() {
     done=0 survivors=0 wrong=0
     while read -r file change; do

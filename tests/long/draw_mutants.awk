@@ -1,12 +1,12 @@
-# draw_mutants.awk - deliberate changes of sources, drawn at random, as in mutants.txt: a line
-# for each with the file and a sed command that changes one of its lines. A quarter each of
+# draw_mutants.awk - deliberate errors in sources, drawn at random, in the format of mutants.txt:
+# one line each, with the file and a sed command that changes one of its lines. A quarter each of
 #
-#   constants   a number with a decimal point, times 1.02 (none below 1e-4: tolerances)
-#   signs       + for -, - for +
-#   comparisons < for >, <= for >=, and the reverse
-#   terms       a factor, a divisor or a summand that is a single name is dropped
+#  constants   a number with a decimal point, times 1.02 (none below 1e-4: tolerances)
+#  signs       + replaced by -, - by +
+#  comparisons < replaced by >, <= by >=, and the reverse
+#  terms       a factor, divisor or summand that is a single name is removed
 #
-# Left out are comments, texts, loops, declarations of the preprocessor and the sizes of memory.
+# Comments, strings, loops, preprocessor lines and memory sizes are excluded.
 #
 # Use: awk -v count=60 -v seed=1 -f draw_mutants.awk FILE...
 
@@ -15,13 +15,13 @@ BEGIN {
     quota = int((count + 3) / 4)
 }
 
-# From 0 to below n, by Lehmer's generator: the same in every awk.
+# Integer from 0 to n - 1, by Lehmer's generator: the same in every awk.
 function below(n) {
     state = state * 16807 % 2147483647
     return int(n * (state - 1) / 2147483646)
 }
 
-# The line with texts, characters and comments blanked out, of the same length.
+# The line with strings, characters and comments replaced by blanks, with the same length.
 function code_of(line,    code, i, c, mark) {
     code = ""
     for (i = 1; i <= length(line); i++) {
@@ -53,7 +53,7 @@ function code_of(line,    code, i, c, mark) {
     return code
 }
 
-# Escapes what has a meaning in the left side of sed's s, or ("&") in its right side.
+# Escapes special characters for the left side of sed's s, or ("&") for its right side.
 function escaped(text, special,    i, c, out) {
     for (i = 1; i <= length(text); i++) {
         c = substr(text, i, 1)
@@ -62,7 +62,7 @@ function escaped(text, special,    i, c, out) {
     return out
 }
 
-# A place where `old` of the line could be `new`; kept with the right chance (reservoir
+# A position where `new` could replace `old` in the line; kept with equal probability (reservoir
 # sampling). sed needs the number of earlier occurrences.
 function offer(kind, at, old, new,    k, from, found) {
     k = 1
@@ -93,7 +93,7 @@ function offer_all(kind, code, pattern,    at, from, old, new, value) {
         else if (kind == "comparison")
             new = old ~ /</ ? " >" substr(old, 3) : " <" substr(old, 3)
         else {
-            # What follows the name must not be a part of it.
+            # The text after the name must not be part of it.
             if (substr(code, at + RLENGTH, 1) ~ /[A-Za-z0-9_.(\[>-]/)
                 continue
         }

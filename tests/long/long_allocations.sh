@@ -1,6 +1,6 @@
 #!/bin/sh
-# One allocation fails: the command ends with status 3, or its output is as usual. Of each
-# command the first allocations and an even choice of the others.
+# If one allocation fails, a command ends with status 3, or with its usual output. Tests the first
+# allocations of each command and an even selection of the others.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
@@ -20,7 +20,7 @@ with() {
         >"$scratch/out" 2>"$scratch/err" </dev/null
 }
 
-# survives WORDS: whichever of some 60 allocations fails.
+# survives WORDS: tests about 60 allocations.
 survives() {
     COUNT_TO=$scratch/count LD_PRELOAD=$scratch/failing.so "$pepperpot" "$@" \
         >"$scratch/expected" 2>"$scratch/err" </dev/null || return

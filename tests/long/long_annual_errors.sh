@@ -1,14 +1,15 @@
 #!/bin/sh
-# The standard errors of annual figures are true: over 60 seeds of three rooms, 64 to 74 %
-# of the figures are within one of them of the truth, and 92 to 97 % within two. The truth
-# is a run with sixteen times the paths, whose error counts, too. A table by figure.
+# The standard errors of annual figures are correct: over 60 seeds of three rooms, 64 to 74 % of
+# the figures are within one standard error of the true value, and 92 to 97 % within two. The true
+# value is that of a run with sixteen times the paths, whose error is included. Prints a table by
+# figure.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
 seeds=60
 
-# A year at Brussels with a sine for the sun's height, and clouds by a linear congruence;
-# every fifth day has light, which takes a fifth of the time.
+# A year at Brussels with a sine for the sun's altitude, and clouds by a linear congruential
+# generator; only every fifth day has light, which takes a fifth of the time.
 awk 'BEGIN {
     print "LOCATION,Brussels,-,BEL,made up,064510,50.90,4.53,1.0,58.0"
     print "HOLIDAYS/DAYLIGHT SAVINGS,No,3/26,10/28,0"
@@ -56,8 +57,8 @@ for room in office street corner; do
     done >"$scratch/$room.csv"
 done
 
-# Columns of values are followed by those of their standard errors. Figures without
-# sampling (direct sun) are left out.
+# Columns of values are followed by those of their standard errors. Figures without sampling
+# (direct sun) are excluded.
 for room in office street corner; do
     awk -F, -v room=$room '
         NR == FNR && FNR == 1 { for (i = 7; i < NF; i += 2) name[i] = $i }

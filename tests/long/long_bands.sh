@@ -1,10 +1,11 @@
 #!/bin/sh
-# The likely ranges of hand figures hold in rooms that they were not made of: 95 of 100 truths
-# of 300 ordinary rooms are within them, and the methods that --advise names are near the truth.
+# The likely ranges of hand figures hold for rooms from which they were not derived: 95 of 100 true
+# values of 300 ordinary rooms are within them, and the methods that --advise recommends are close
+# to the true values.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
-# invalid: a line for each room that is refused, or about which there is more than a warning.
+# invalid: a line for each room that is rejected or causes a message other than a warning.
 invalid() {
     ${AWK:-awk} -v folder="$scratch" -f "$srcdir/tests/lib/ordinary_rooms.awk" || echo "no rooms"
     number=0
@@ -21,10 +22,10 @@ sh "$srcdir/bench/band_coverage.sh" "$pepperpot" >"$scratch/tables" 2>"$scratch/
 check "the figures of 300 rooms are compared" grep -q '^300 ordinary rooms' "$scratch/tables"
 check "nothing goes wrong" nothing "$(grep -v ': warning: ' "$scratch/said")"
 
-# Shares of some 280 rooms have a standard error of 100 sqrt(0.0475 / rooms), 1.3 %, which the limits
-# are widened by.
+# Shares of about 280 rooms have a standard error of 100 sqrt(0.0475 / rooms), 1.3 %; the limits
+# are wider by this.
 
-# pooled PLACES: 93 to 97 % of the truths are in their ranges, all methods together.
+# pooled PLACES: 93 to 97 % of the true values are in their ranges, for all methods together.
 pooled() {
     grep "^pooled, $1: " "$scratch/tables"
     awk -v start="pooled, $1:" '
@@ -35,9 +36,8 @@ pooled() {
         }
         END { exit !good }' "$scratch/tables"
 }
-# outside TITLE: the lines of methods outside 92 to 98 % in the table of that title. Of averages
-# of the sky component there is no upper limit: the ranges have the noise of an atlas that is
-# traced to 2 %.
+# outside TITLE: methods outside 92 to 98 % in the table with this title. Averages of the sky
+# component have no upper limit: their ranges include the noise of an atlas simulated to 2 %.
 outside() {
     awk -v title="$1" '$0 == title { inside = 1 } inside && /^left out/ { exit }
         inside && $3 + 0 > 0 {
@@ -53,7 +53,8 @@ check "every method has 92 to 98 % at points" nothing "$(outside 'At points')"
 check "every method has 92 to 98 % of the averages" \
     nothing "$(outside 'Averages over the working plane')"
 
-# near MEAN NINTH: the advised average, corrected, is off by no more, in per cent.
+# near MEAN NINTH: the errors of the recommended average, after correction, are at most these, in
+# per cent.
 near() {
     grep '^average, ' "$scratch/tables"
     awk -v mean="$1" -v ninth="$2" '/^average, corrected/ {

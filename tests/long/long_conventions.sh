@@ -1,12 +1,12 @@
 #!/bin/sh
-# Sixty rooms that say reveal, frame-factor, facade, skyline, overhang, fin, balcony and ground,
-# against the same rooms written out in polygons, by light paths; every sixth by records of
-# irradiance and photons, too. CONVENTIONS="3 9": these of them.
+# Sixty rooms with reveal, frame-factor, facade, skyline, overhang, fin, balcony and ground,
+# compared with the same rooms written as polygons, by the path tracer; every sixth room also by
+# the irradiance cache and photons. CONVENTIONS="3 9": only these rooms.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 . "$srcdir/tests/lib/streets.sh"
 
-# traced ENGINES ERROR: the factors of both ways to write the room.
+# traced ENGINES ERROR: the factors of both descriptions of the room.
 traced() {
     for written in no yes; do
         awk -v number="$number" -v written=$written -f "$srcdir/tests/lib/conventions.awk" \
@@ -15,8 +15,8 @@ traced() {
     done
 }
 
-# same ENGINES: do both agree? Of so many values one in some hundred is off by chance: what
-# differs at 0.2 % has to agree at 0.1 %.
+# same ENGINES: both descriptions agree. One in some hundred values differs by chance, so
+# differences at 0.2 % are tested again at 0.1 %.
 same() {
     traced "$1" 0.2%
     agree "$scratch/no" "$scratch/yes" 0.01 && return

@@ -1,10 +1,9 @@
 #!/bin/sh
-# make distcheck: the tarball builds outside a read-only source tree, is tested, installs, and
-# uninstalls without leaving a file. Of the tests, those that read files of the sources or
-# install.
+# make distcheck: the tarball builds outside a read-only source tree, passes its tests, installs,
+# and uninstalls without leaving a file. Runs only tests that read files of the sources or install.
 . "$srcdir/tests/lib/tap.sh"
 
-# Without this run's jobs and flags of make.
+# Without the jobs and flags of this run of make.
 distcheck() {
     programs="tests/formats/formats_tests tests/model/room/read/test_wrong_rooms"
     env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL make -s -j"$(getconf _NPROCESSORS_ONLN)" distcheck \

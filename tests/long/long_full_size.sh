@@ -1,6 +1,7 @@
 #!/bin/sh
-# The test programs with --full: every test, and the statistical ones at full size. The script of
-# charts with the whole of its lists (`some` of tests/lib/cli.sh), that of pages with long commands.
+# Runs the test programs with --full: every test, and the statistical tests at full size. Runs the
+# script of charts with its complete lists (`some` of tests/lib/cli.sh), and that of pages with
+# long commands.
 . "$srcdir/tests/lib/tap.sh"
 
 # passes PROGRAM: all of its tests pass; prints those that do not.

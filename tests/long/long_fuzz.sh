@@ -1,5 +1,5 @@
 #!/bin/sh
-# Every libFuzzer target of make fuzz runs a minute, from its seeds, without a finding.
+# Runs every libFuzzer target of make fuzz for a minute, from its seeds, without a finding.
 . "$srcdir/tests/lib/tap.sh"
 
 if ! command -v clang >/dev/null; then
@@ -11,7 +11,7 @@ seconds=${FUZZ_SECONDS:-60}
 log=long-fuzz.log
 check "the targets are built" sh -c "${MAKE:-make} -s fuzz >$log 2>&1 || { tail -n 5 $log; exit 1; }"
 
-# minute COMMAND: runs the target that `make fuzz` prints; the end of its output if it fails.
+# minute COMMAND: runs a command printed by `make fuzz`; prints the end of its output if it fails.
 minute() {
     # shellcheck disable=SC2086 # words
     sh -c "$(printf %s "$1" | sed "s/-max_total_time=[0-9]*/-max_total_time=$seconds/")" \

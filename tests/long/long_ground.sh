@@ -1,15 +1,15 @@
 #!/bin/sh
-# Eight rooms before a ground in shadow: the simulation, and Radiance in the room's export,
-# against Radiance in a scene whose ground is polygons, four kilometres wide. ROOMS="NAME ...":
-# these of tests/long/ground; TIMES=N: N times the paths.
+# Eight rooms opposite ground in shadow: the simulation, and Radiance with the exported room,
+# compared with Radiance with a scene whose ground is polygons, four kilometres wide. ROOMS="NAME
+# ...": only these rooms of tests/long/ground; TIMES=N: N times the paths.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
 rooms=${ROOMS:-street light-well court balcony own-facade near-skyline far-skyline rooflight}
 times=${TIMES:-1}
 
-# with_polygons FILE: the room over an open ground, and on that, a millimetre higher, four
-# rectangles round its plan, or one below its floor.
+# with_polygons FILE: the room over open ground, with a millimetre above it four rectangles around
+# its plan, or one below its floor.
 with_polygons() {
     awk '
     function value(name) { # of an attribute in this line
@@ -45,8 +45,7 @@ with_polygons() {
     { print }' "$1"
 }
 
-# radiance FILE: daylight factor and standard error of each point by rtrace, each asked 16
-# times.
+# radiance FILE: daylight factor and standard error of each point by 16 runs of rtrace.
 radiance() {
     rm -rf "$scratch/scene"
     "$pepperpot" export -q --to radiance -o "$scratch/scene" "$1" || return 1
@@ -62,14 +61,14 @@ radiance() {
         }'
 }
 
-# simulated FILE: the same of the simulation.
+# simulated FILE: daylight factor and standard error of each point by the simulation.
 simulated() {
     "$pepperpot" df -q --methods exact --simulate --error 0.3% --format csv "$1" |
         awk -F, '$3 == "point" && $10 == "df" && $11 == "traced" { print $12, $13 }'
 }
 
-# agree A B: three points each, all within 1 % or three standard errors of the difference,
-# which itself is below 3 %.
+# agree A B: three points each agree within 1 % or three standard errors of the difference, which
+# is itself below 3 %.
 agree() {
     paste -d' ' "$1" "$2" | awk '
     NF == 4 {

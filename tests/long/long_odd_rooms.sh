@@ -1,9 +1,9 @@
 #!/bin/sh
-# Commands on valid but unusual rooms (odd_rooms.awk), two minutes: each ends with a result, or
-# with a reason for none; no crash, nothing that takes two minutes, no output that contains "nan".
-# tests/long/long_sanitizers.sh runs the same under clang's sanitizers. A room is made again by
-#     awk -v folder=. -v room=17 -f tests/long/odd_rooms.awk
-# SECONDS_MOST: the time; FIRST_ROOM: the first of the series.
+# Runs commands on valid but unusual rooms (odd_rooms.awk) for two minutes: each ends with a
+# result, or with a message; none crashes, takes more than two minutes, or prints "nan".
+# tests/long/long_sanitizers.sh runs the same under clang's sanitizers. To create a room again:
+#    awk -v folder=. -v room=17 -f tests/long/odd_rooms.awk
+# SECONDS_MOST: duration; FIRST_ROOM: first room of the series.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
@@ -13,8 +13,8 @@ charts="plan section site elevation note waldram pepper-pot protractor nomogram 
     vertical-sky skylight-indicator sun-path slats model-net availability"
 kinds=$(echo "$charts" | wc -w)
 
-# The commands, one a line; ROOM, OUT and POINT stand for the room's file, an output without
-# its ending, and a point. A room has every chart in turn.
+# The commands, one per line; ROOM, OUT and POINT are replaced by the room's file, an output
+# without its extension, and a point. Each room has another chart.
 commands() {
     chart=$(echo $charts | cut -d ' ' -f $((1 + room % kinds)))
     of_point=
@@ -37,7 +37,7 @@ report --by-hand ROOM -o OUT.html
 glare --samples 16 --sky overcast,20000 --view POINT,0 -f json ROOM"
 }
 
-# fault WORDS: runs a command; prints what is wrong with it, if anything is.
+# fault WORDS: runs a command; prints its fault, if any.
 fault() {
     rm -rf "$scratch"/result*
     timeout 120 "$pepperpot" "$@" >"$scratch/out" 2>"$scratch/err" </dev/null
@@ -51,7 +51,7 @@ fault() {
     esac
 }
 
-# sweep: all commands on one room after another; prints what is wrong. Sets valid and room.
+# sweep: runs all commands on one room after another; prints faults. Sets valid and room.
 sweep() {
     end=$(($(date +%s) + seconds))
     valid=0

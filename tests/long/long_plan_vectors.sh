@@ -1,12 +1,13 @@
 #!/bin/sh
-# The contours of the plans of all examples, by every method that a plan can show and traced,
-# lie where df has their levels: 200 places each. ROOMS=FOLDER: of the rooms there too.
+# The contours in plans of all examples, by every method that a plan can show and by simulation,
+# are at the levels that df calculates: 200 points each. ROOMS=FOLDER: also tests the rooms in this
+# folder.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 . "$srcdir/tests/lib/plan_vectors.sh"
 
 for room in "$examples"/*.xml ${ROOMS:+"$ROOMS"/*.xml}; do
-    # A building's rooms need an option each; of one the first is enough.
+    # Rooms of a building need an option each; the first room is enough.
     set --
     off_y=
     case $room in */workshop.xml) off_y="4 8" ;; esac

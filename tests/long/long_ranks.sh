@@ -1,5 +1,5 @@
 #!/bin/sh
-# Several ranks under mpirun, by a program that is configured --with-mpi in a folder of its own.
+# Several ranks under mpirun, with a program that is configured --with-mpi in a separate folder.
 . "$srcdir/tests/lib/tap.sh"
 
 if ! command -v mpirun >/dev/null || ! pkg-config --exists ompi-c; then

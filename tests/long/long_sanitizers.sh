@@ -1,7 +1,7 @@
 #!/bin/sh
-# The command from end to end under clang's AddressSanitizer and UndefinedBehaviorSanitizer, by
-# all scripts of tests/cli, and the C tests once more with a look for pointers into functions
-# that have returned. Builds the program in a folder of its own.
+# Runs all scripts of tests/cli under clang's AddressSanitizer and UndefinedBehaviorSanitizer, and
+# the C tests once more with detection of pointers into functions that have returned. Builds the
+# program in a separate folder.
 . "$srcdir/tests/lib/tap.sh"
 
 if ! command -v clang >/dev/null; then
@@ -14,7 +14,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cores=$(getconf _NPROCESSORS_ONLN)
 cached=$(command -v ccache || true)
-# By a link without a space in its name, which configure would refuse.
+# Uses a link without a space in its name, since configure rejects spaces.
 ln -s "$source" "$scratch/source"
 mkdir "$scratch/build"
 cd "$scratch/build" || exit 1
@@ -30,7 +30,7 @@ scripts() {
         return 1
     }
 }
-# Paths of the simulation's own tests would take three times as long.
+# The tests of the simulation are excluded: their paths would triple the time.
 programs() {
     ASAN_OPTIONS=detect_stack_use_after_return=1 make -s -j"$cores" check \
         dist_check_SCRIPTS= TESTS="$(cd ../source && ls -d tests/*/ | grep -v \

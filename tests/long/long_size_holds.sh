@@ -1,8 +1,8 @@
 #!/bin/sh
-# long_size_holds.sh [PROGRAM [ROOM ...]] - is a criterion met by assess whenever size says that
-# its window reaches it? In 20 of the ordinary rooms (tests/lib/ordinary_rooms.awk), or in those
-# of these numbers, each for three requirements. Prints every answer that does not hold, and how
-# many sizes were found. About 15 minutes.
+# long_size_holds.sh [PROGRAM [ROOM ...]] - if size reports that its window meets a criterion,
+# assess confirms it. Tests 20 of the ordinary rooms (tests/lib/ordinary_rooms.awk), or the rooms
+# with these numbers, each for three requirements. Prints every size that is not confirmed, and the
+# number of sizes found. About 15 minutes.
 set -eu
 LC_ALL=C
 export LC_ALL
@@ -16,7 +16,7 @@ ${AWK:-awk} -v folder="$scratch" -f "$here/../lib/ordinary_rooms.awk"
 
 tried=0 reached=0 bad=0
 for room; do
-    # A place in London, whose median illuminance the criteria need.
+    # A place in London, for the median illuminance that the criteria need.
     sed 's/<site/<site latitude="51.5" longitude="-0.1" country="GB"/' \
         "$scratch/$room.xml" >"$scratch/room.xml"
     grep -q '<site' "$scratch/room.xml" ||

@@ -1,12 +1,12 @@
 #!/bin/sh
-# Twelve streets, each a skyline with a distance and the long block in its place, by light paths,
-# records of irradiance, photons and radiosity; and by Radiance in the export of the skyline,
-# where it is installed. STREETS="1 5": these of the list.
+# Twelve streets, each as a skyline with a distance and as the long block in its place, by path
+# tracer, irradiance cache, photons and radiosity; and by Radiance, if installed, with the exported
+# skyline. STREETS="1 5": only these streets of the list.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 . "$srcdir/tests/lib/streets.sh"
 
-# wall, distance, angle, reflectance, what the own front goes up by, more
+# wall, distance, angle, reflectance, height of the room's own façade above it, further elements
 list="
 south 4.2 65 0.30 9 <site ground-reflectance='0.15'/>
 south 6.5 55 0.70 12 <site ground-reflectance='0.3'/>
@@ -28,7 +28,7 @@ else
     radiance=no
 fi
 
-# by_radiance FILE: the points' factors as lines of `factors` that call them traced, each of 16
+# by_radiance FILE: the factors of the points as lines of `factors` named traced, each from 16
 # runs.
 by_radiance() {
     rm -rf "$scratch/scene"

@@ -1,10 +1,10 @@
 #!/bin/sh
-# long_verdict_grids.sh [PROGRAM [ROOM ...]] - are medians, area shares and verdicts of EN 17037
-# the same on the default grid as on one of 0.1 m? In 20 of the ordinary rooms
-# (tests/lib/ordinary_rooms.awk), or in those of these numbers. A figure is good if the two are
-# no farther apart than twice the standard error of their difference, both grids and noise
-# counted; at least 95 % have to be. Every verdict that is certain has to be that of the fine
-# grid. Prints all that differ, and how often each is good. About 15 minutes.
+# long_verdict_grids.sh [PROGRAM [ROOM ...]] - medians, area shares and verdicts of EN 17037 are
+# the same on the default grid as on a grid of 0.1 m. Tests 20 of the ordinary rooms
+# (tests/lib/ordinary_rooms.awk), or the rooms with these numbers. A figure passes if the two
+# differ by at most twice the standard error of their difference, including the errors of both
+# grids and the noise; at least 95 % must pass. Every certain verdict must be that of the fine
+# grid. Prints all differences, and the share of figures that pass. About 15 minutes.
 set -eu
 LC_ALL=C
 export LC_ALL
@@ -16,7 +16,7 @@ trap 'rm -rf "$scratch"' EXIT
 [ $# -gt 0 ] || set -- 1 16 31 46 61 76 91 106 121 136 151 166 181 196 211 226 241 256 271 286
 ${AWK:-awk} -v folder="$scratch" -f "$here/../lib/ordinary_rooms.awk"
 
-# Spacing of the fine grid: 0.1 m, or more where a grid would have more than 20,000 points.
+# Spacing of the fine grid: 0.1 m, or more if a grid would have more than 20,000 points.
 fine_spacing() { # ROOM
     sed -n 's/.*<plan width="\([0-9.]*\)" depth="\([0-9.]*\)".*/\1 \2/p' "$scratch/$1.xml" |
         ${AWK:-awk} '{ print ($1 * $2 > 190 ? 0.2 : 0.1) }'

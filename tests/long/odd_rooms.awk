@@ -1,13 +1,13 @@
 # odd_rooms.awk - valid but unusual rooms and buildings: sizes from millimetres to hundreds of
 # metres, openings from edge to edge, slivers, surfaces without area, reflectances of 0 and 1,
-# numbers with 17 digits, elements in any order. Many break a rule of the file format, too; the
-# program must then refuse them in words.
+# numbers with 17 digits, elements in any order. Many also violate a rule of the file format; the
+# program must then reject them with a message.
 #
-#     awk -v folder=DIR -v room=17 -f odd_rooms.awk    DIR/17.xml, with DIR/17-1.obj and so on
+#    awk -v folder=DIR -v room=17 -f odd_rooms.awk    DIR/17.xml, with DIR/17-1.obj and so on
 #
 # Prints a point in the room, X,Y.
 #
-# Random numbers are made here, so that every awk has the same rooms.
+# The script generates its own random numbers, so that every awk gives the same rooms.
 
 # ---- choices ----
 
@@ -43,7 +43,7 @@ function shuffled(    i, k, text, all) {
 
 # ---- outside ----
 
-# A mesh of triangles; some are points, lines, slivers, or twice there.
+# A mesh of triangles; some are points, lines, slivers, or duplicates.
 function mesh(    name, file, count, i, k, base, corners, x, y, z, t, line) {
     name = room "-" ++mesh_count ".obj"
     file = folder "/" name
@@ -117,7 +117,7 @@ function device(high,    r) {
     return "<blind" has("angle", one_of("0 45 -80 89")) "/>"
 }
 
-# The windows of a wall, by cells: full ones have common edges.
+# The windows of a wall, in cells: windows that fill their cells have common edges.
 function windows(wall, length_, count,    i, left, wide, sill, high, t, reveal) {
     reveal = one_of("0 0 0 .1 .3 1") * (scale < 1 ? scale : 1)
     for (i = 0; i < count; i++) {
@@ -156,7 +156,7 @@ function plan(kind,    i, k, x, y, corners, text) {
     }
     if (kind == "box")
         return "<plan" exact("width", width) exact("depth", depth) exact("height", height) "/>"
-    # Stairs down to the left; two steps are an L.
+    # Steps down to the left; two steps are an L-shape.
     k = kind == "L" ? 2 : one_of("3 6 15")
     corners = 0
     xs[++corners] = 0; ys[corners] = 0

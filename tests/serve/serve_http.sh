@@ -1,6 +1,6 @@
 #!/bin/sh
-# The server of the drawing board: its endpoints answer as the command does, it refuses what it
-# has to, stops when it is told to, and openapi.json is about it.
+# The server of the drawing board: its endpoints return the same results as the command, it rejects
+# invalid requests, stops on a signal, and openapi.json describes it.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 . "$srcdir/tests/lib/served.sh"
@@ -21,7 +21,7 @@ same_figures() {
         figures "$scratch/wanted" >"$scratch/a" && figures "$scratch/answer" >"$scratch/b" &&
         [ -s "$scratch/a" ] && cmp "$scratch/a" "$scratch/b"
 }
-# Up to the grid over the plane, which the library leaves out.
+# Figures of an answer, except the grid over the plane, which the library omits.
 figures() {
     sed '/^  "\(grid\|model\)"/,$d' "$1" | grep -o '"[a-z+-]*": { "value": [-0-9.e+]*\|"[xyz]": [-0-9.e+]*'
 }
@@ -53,9 +53,10 @@ asks "$deep" '{"size":"64x48"}'
 check "render answers" answers 200 render
 check "with four pictures, coarse first" test "$(grep -c '^event: picture' "$scratch/answer")" -eq 4
 
-# CPU time of the server in clock ticks; it stands still when nothing is worked on.
+# CPU time of the server in clock ticks; it does not increase while no task is running.
 ticks() { awk '{ print $14 + $15 }' "/proc/$server/stat"; }
-# 0.2 s after the client has gone, half a second takes less than a tenth of CPU time.
+# stops_work: from 0.2 s after the client has disconnected, half a second uses less than a tenth of
+# CPU time.
 stops_work() {
     asks "$deep" '{"error":0.1}'
     curl -s -m 1 -H "$json" -d @"$scratch/asked" "$address/api/trace" >"$scratch/answer"

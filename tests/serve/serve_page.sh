@@ -1,7 +1,7 @@
 #!/bin/sh
-# The drawing board in Chromium, where node, puppeteer-core and Chromium are installed: as
+# The drawing board in Chromium, if node, puppeteer-core and Chromium are installed: in
 # PUPPETEER_FOLDER/node_modules, or in npm/ of the build, by
-#     npm install --prefix npm puppeteer-core axe-core
+#    npm install --prefix npm puppeteer-core axe-core
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 . "$srcdir/tests/lib/served.sh"
