@@ -9,7 +9,7 @@ sed 's|</room>|<point x="1.5" y="1"/><point x="1.5" y="6"/></room>|; /<line/d; /
 room=$scratch/room.xml
 annual="annual -w $scratch/year.epw --samples 16"
 
-# value TEXT WORDS: the CSV has a record with that text in it.
+# cell TEXT WORDS: the CSV contains a record with this text.
 cell() {
     text=$1
     shift
@@ -21,7 +21,7 @@ check "it names its assumptions" shows "LM-83-12" $annual "$room"
 check "the error of patches is said" shows "discretisation" $annual "$room"
 check "and is in JSON" shows '"sky_rms_percent"' $annual -f json "$room"
 check "it says that points do not form a grid" shows "no grid" $annual "$room"
-# lacks TEXT WORDS: the output has no such text.
+# lacks TEXT WORDS: the output does not contain this text.
 lacks() {
     text=$1
     shift
@@ -71,7 +71,6 @@ check "their size" grep -q "NCOLS=578" "$scratch/c.mtx"
 check "a chart" quietly chart year -w "$scratch/year.epw" -o "$scratch/year.svg" "$room"
 check "a chart without weather" refuses 2 "--weather" chart year -o "$scratch/x.svg" "$room"
 
-# It is sunny for 7 hours on 365 days, and a window to the south or north has all or none of
 # The sun shines for 7 hours on 365 days; a window facing south or north has all or none of them.
 if command -v pdftotext >/dev/null; then
     sunny() { # NORTH HOURS
@@ -93,7 +92,6 @@ check "paths of a chart of the year" quietly chart year -w "$scratch/year.epw" -
 check "as many as a power of two" refuses 2 "power of two" chart year -w "$scratch/year.epw" \
     --samples 17 -o "$scratch/x.svg" "$room"
 
-# stops WORDS: ends by a signal that comes in the first second or later, and leaves the
 # stops WORDS: is ended by a signal during the first seconds, and leaves the old file unchanged.
 stops() {
     echo old >"$scratch/old.svg"
@@ -107,7 +105,7 @@ check "an interrupted chart of a year leaves the old file" \
     stops chart year -w "$scratch/year.epw" --samples 8192
 check "so does a plan of a moment" stops chart plan --sky perez,600,120,35,170 --samples 8192
 
-# LEED's verdicts have the figures of annual.
+# LEED's findings use the figures of annual.
 sed '/<line/d; s|</room>|<grid spacing="1" margin="0"/></room>|' "$deep" >"$scratch/grid.xml"
 run annual -w "$scratch/year.epw" -f json "$scratch/grid.xml"
 sda=$(awk -F'[:,]' '/"sda300/ { printf "%.3g", $3 }' "$scratch/out")
@@ -124,7 +122,7 @@ check "a room without windows is dark" sh -c "
     '$pepperpot' annual -w '$scratch/year.epw' --samples 16 -q '$scratch/windowless.xml' 2>&1 |
         grep -qE '^ *mean +0\.0 +0\.0'"
 
-# EN 17037, method 2, has the shares of annual at the same points.
+# EN 17037, method 2, uses the shares of annual at the same points.
 sed '/<line/d; s|</room>|<grid spacing="1" margin="0.5"/></room>|' "$deep" >"$scratch/inner.xml"
 run annual -w "$scratch/year.epw" -f json "$scratch/inner.xml"
 share=$(awk -F'[:,]' '/"en17037-300/ { printf "%.0f", $3 }' "$scratch/out")
@@ -135,7 +133,7 @@ check "its shares are those of annual" sh -c "
 check "without weather it is not applicable" shows "expected --weather" \
     assess --for en17037 --by-hand "$room"
 
-# The page of EN 17037.
+# The sheet of EN 17037.
 page="chart en17037 -w $scratch/year.epw --error 8%"
 sed 's/<room /<room use="living-room" /; s|</room>|<view x="1.5" y="2" bearing="180"/></room>|' \
     "$room" >"$scratch/lived.xml"
@@ -156,7 +154,7 @@ check "and its illuminances" refuses 2 "no --illuminance" $page -i 400 -o "$scra
 check "it has no methods" refuses 2 "--methods" $page -m exact+bre -o "$scratch/x.svg" "$room"
 check "an interrupted page leaves the old file" stops $page --error 0.1%
 
-# A report has the year on request.
+# A report includes the year if requested.
 report="report -q --samples 64 -w $scratch/year.epw --for leed-v4.1 -o $scratch/report.html"
 check "a report with the year" quietly $report --year "$scratch/grid.xml"
 check "its figures" grep -q "ASE1000,250" "$scratch/report.html"
@@ -172,7 +170,7 @@ check "a short report has a table of the year" test "$(grep -c "sDA300/50, %" "$
 check "a year needs weather" refuses 2 "--weather" report --year -o "$scratch/x.html" "$room"
 check "a year is not by hand" refuses 2 "--by-hand" $report --year --by-hand "$room"
 
-# A plan of one moment has lux.
+# A plan of one moment is in lux.
 plan="chart plan --samples 16 -q -o $scratch/moment.pdf"
 check "a plan of a sky with a sun" quietly $plan --sky perez,600,120,35,170 "$room"
 check_words "it names sun and parts" "$scratch/moment.pdf" "35.0° high" "from sunlit surfaces" \
@@ -205,7 +203,7 @@ check "a section has no moment" refuses 2 "--when is for a plan" chart section \
 check "no comparison of a moment" refuses 2 "--line is for a plan of daylight factors" $plan \
     --sky perez,600,120,35,170 --line no-sky "$room"
 
-# One hour: lux with sunlight, and no daylight factor. At noon the sun has 400 W/m2.
+# One hour: lux with sunlight, and no daylight factor. At noon the direct irradiance is 400 W/m2.
 hour="df -w $scratch/year.epw --samples 16"
 check "an hour" shows "sun-reflected" $hour --when "2023-03-21 12:00" "$room"
 check "an hour has no daylight factor" shows '"df": { "value": null, "why"' $hour \
@@ -218,7 +216,7 @@ check "weather without a time" refuses 2 "--when" $hour "$room"
 check "methods have no hour" refuses 2 "--methods" $hour --when "2023-03-21 12:00" \
     -m exact+bre "$room"
 
-# A sky by its irradiances: the sun is given, or that of a time at the site.
+# A sky given by its irradiances: the sun's position is given, or that of a time at the site.
 perez="df --samples 16 --sky perez,600,120"
 check "a Perez sky with a sun" shows "sun 35.0 degrees high, bearing 150.0" $perez,35,150 "$room"
 check "its JSON has no time" lacks '"when"' $perez,35,150 -f json "$room"
@@ -257,7 +255,7 @@ sed 's/longitude="[^"]*"//' "$room" >"$scratch/nowhere.xml"
 check "no place" refuses 1 "nowhere.xml: the room has no location" $perez \
     --when "2023-03-21 12:00" "$scratch/nowhere.xml"
 
-# Pictures have the sun, too.
+# Pictures include the sun.
 render="render --size 24x18 --samples 4 -q -o $scratch/sun.png"
 check "a picture with sun" quietly $render --sky perez,600,120,35,150 "$room"
 check "a picture of an hour" quietly $render -w "$scratch/year.epw" --when "2023-03-21 12:00" "$room"
@@ -268,7 +266,7 @@ check "a black sky has no picture" refuses 1 "gives a black sky" $render --sky p
 check "a dark hour has no picture" refuses 1 "no daylight" $render -w "$scratch/year.epw" \
     --when "2023-03-21 02:00" "$room"
 
-# Radiance's scenes have the sun, too; read back, its light is a source.
+# Exported Radiance scenes include the sun; after import it is a light source.
 export="export --to radiance --force -q -o $scratch/scene"
 check "a scene with sun" quietly $export --sky perez,600,120,35,150 "$room"
 check "its sun is half a degree" grep -q ' 0.533$' "$scratch/scene/sky.rad"
@@ -284,7 +282,7 @@ check "a dark hour has no scene" refuses 1 "no daylight" $export -w "$scratch/ye
 check "a moment has its own light" refuses 2 "--external" $export --sky perez,600,120,35,150 \
     --external 5000 "$room"
 
-# Parts of a building's rooms are together the whole, to the byte.
+# The parts of a building's rooms add up to the whole output, to the byte.
 parts="$annual -f csv --points 1,1"
 run $parts "$examples/building.xml"
 cp "$scratch/out" "$scratch/whole.csv"
@@ -314,7 +312,7 @@ check "blinds of two kinds" refuses 2 "--blinds-schedule" $annual --blinds alway
 check "a schedule that is missing" refuses 1 "none.csv" $annual \
     --blinds-schedule "$scratch/none.csv" "$room"
 
-# A blind of its own, closed by the rule, always, and in the afternoon.
+# A window with its own blind, closed by the rule, at all hours, and in the afternoon.
 cat >"$scratch/blind.xml" <<'END'
 <room version="1"><plan width="3" depth="5" height="2.7"/>
   <window wall="south" left="0.5" sill="0.8" width="2" height="1.6"><blind angle="-45"/></window>

@@ -148,9 +148,9 @@ the_same_bytes_of_an_atlas() {
     done
 }
 
-# The last rank is killed once there is a first room, so that all of them are at work. What
-# is asked of is the file: with a rank dead, mpirun itself does not always come to its end,
-# and is ended once the file is whole.
+# The last rank is killed after the first room is complete, so that all ranks are working. Only the
+# file is tested: after the death of a rank mpirun itself does not always end, and is ended once
+# the file is complete.
 a_rank_may_be_killed() {
     run atlas --rooms 12 --error 20% --quiet -o "$scratch/never.csv"
     timeout 120 mpirun --oversubscribe --enable-recovery -n 3 "$pepperpot" atlas \

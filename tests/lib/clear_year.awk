@@ -1,5 +1,6 @@
-# clear_year.awk - prints a weather file. A year at Brussels: clear from 9 to 16 h, with the radiation
-# of a sun at the middle of each hour as far as a sine has it; dark else.
+# clear_year.awk - prints a weather file: a year at Brussels, clear from 9 to 16 h, with
+# irradiances proportional to the sine of the sun's altitude at the middle of each hour; dark
+# otherwise.
 BEGIN {
     print "LOCATION,Brussels,-,BEL,made up,064510,50.90,4.53,1.0,58.0"
     print "HOLIDAYS/DAYLIGHT SAVINGS,No,3/26,10/28,0"
