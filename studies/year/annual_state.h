@@ -2,8 +2,9 @@
  * state: open, or with closed blinds. Inside studies/year/ only.
  *
  * The light through a group of windows is calculated with the windows of all groups in
- * the same state. If another group is in another state, its blinds reflect another share
- * of that light, which is neglected.
+ * the same state. In hours with some groups closed, light through an open group without a
+ * device is that of the closed state (annual_closed.c). Otherwise a group in another state
+ * reflects another share of that light, which is neglected.
  */
 #ifndef PP_STUDIES_YEAR_ANNUAL_STATE_H
 #define PP_STUDIES_YEAR_ANNUAL_STATE_H
