@@ -56,6 +56,9 @@ const char *pp_method_refuses_room(const struct pp_method *method,
                                    const struct pp_outside_light *light,
                                    const struct pp_receiver *receiver)
 {
+    if (world->tree_count > 0)
+        return "does not cover trees, whose crowns let part of the light through; a "
+               "simulation (--simulate) covers trees";
     if (world->outer_pane_count > 0)
         return "does not cover rooms nested within a model that has glass between the "
                "room and the sky";

@@ -99,6 +99,7 @@ static void copy_parts(struct pp_room *room, bool *good)
         copy_text(&room->gardens[i].name, good);
         copy_vertices(&room->gardens[i].vertices, good);
     }
+    COPY_LIST(room->trees, room->tree_count, good);
     COPY_LIST(room->surfaces, room->surface_count, good);
     for (int i = 0; i < room->surface_count; i++) {
         copy_text(&room->surfaces[i].name, good);

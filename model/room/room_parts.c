@@ -119,6 +119,7 @@ void pp_room_parts_clear(struct pp_room *room)
     free(room->fittings);
     free(room->covers);
     free(room->gardens);
+    free(room->trees);
     free(room->surfaces);
     free(room->meshes);
     free(room->receivers);

@@ -34,6 +34,7 @@ struct pp_site_part {
     enum pp_dirt dirt;
     double ground_reflectance, ground_level_m;
     bool ground_is_open;
+    int bare_from, bare_to; /* months of trees without leaves */
     int line;
 };
 
@@ -227,6 +228,12 @@ struct pp_mesh_part {
     int line;
 };
 
+/* A tree of the site; the z of its foot is set by build. */
+struct pp_tree_part {
+    struct pp_tree tree;
+    enum pp_site_state state;
+};
+
 /* A garden, assessed for sunlight on the ground. */
 struct pp_garden_part {
     char *name;                  /* NULL: not given */
@@ -284,6 +291,8 @@ struct pp_room {
     int cover_count;
     struct pp_garden_part *gardens;
     int garden_count;
+    struct pp_tree_part *trees;
+    int tree_count;
     struct pp_receiver_part *receivers;
     int receiver_count;
     struct pp_view_part *views;

@@ -154,6 +154,13 @@ double pp_surface_materials_pane_sun(const struct pp_opening *opening, struct pp
         opening, scatter && scatter->for_sun ? scatter->for_sun : scatter, u, cosine);
 }
 
+/* Transmittance of one of the two faces of a crown that a ray crosses. */
+static double crown_face_share(const struct pp_world *world, const struct pp_tree *tree)
+{
+    return sqrt(world->trees_are_bare ? tree->winter_transmittance
+                                      : tree->transmittance);
+}
+
 double pp_surface_materials_past_outer_panes(const struct pp_world *world,
                                              struct pp_vec3 point, struct pp_vec3 u)
 {
@@ -167,6 +174,10 @@ double pp_surface_materials_past_outer_panes(const struct pp_world *world,
                                PP_ROUNDING_M)
                    == PP_OUTSIDE)
             continue;
+        if (pane->tree >= 0) {
+            share *= crown_face_share(world, &world->trees[pane->tree]);
+            continue;
+        }
         struct pp_opening opening = world->within->openings[pane->opening];
         opening.up = pane->up;
         opening.along = pp_vec_cross(pane->up, pane->outline.normal);
@@ -217,10 +228,23 @@ struct pp_material pp_surface_materials_pane(const struct pp_world *world, int i
     return pane_of(world, opening, opening->up, inside);
 }
 
+/* A face of a crown: a pane without glass, whose dirt is that of the leaves. */
+static struct pp_material crown_face(const struct pp_world *world,
+                                     const struct pp_tree *tree)
+{
+    struct pp_glass none = pp_glass_none();
+    struct pp_material material =
+        pp_material_glazing(&none, 1.0, crown_face_share(world, tree), 0.0);
+    name(&material, "tree", false);
+    return material;
+}
+
 struct pp_material pp_surface_materials_outer_pane(const struct pp_world *world,
                                                    int index, bool inside)
 {
     const struct pp_outer_pane *pane = &world->outer_panes[index];
+    if (pane->tree >= 0)
+        return crown_face(world, &world->trees[pane->tree]);
     return pane_of(world->within, &world->within->openings[pane->opening], pane->up,
                    inside);
 }

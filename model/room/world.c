@@ -27,6 +27,7 @@
 #include "model/room/outside/nested.h"
 #include "model/room/outside/shades.h"
 #include "model/room/outside/skylines.h"
+#include "model/room/outside/trees.h"
 #include "model/room/section.h"
 
 struct pp_world *pp_world_hold(struct pp_world *world)
@@ -44,6 +45,7 @@ void pp_world_destroy(struct pp_world *world)
     for (int i = 0; i < world->outer_pane_count; i++)
         pp_polygon_clear(&world->outer_panes[i].outline);
     free(world->outer_panes);
+    free(world->trees);
     pp_rough_finishes_release(world->materials);
     for (int i = 0; i < world->surface_count; i++) {
         pp_polygon_clear(&world->surfaces[i].outline);
@@ -110,6 +112,14 @@ double pp_world_floor_m2(const struct pp_world *world)
     return area_m2;
 }
 
+int pp_world_coarse_panes(const struct pp_world *world)
+{
+    int count = 0;
+    for (int i = 0; i < world->outer_pane_count; i++)
+        count += world->outer_panes[i].tree < 0;
+    return count;
+}
+
 int pp_world_before_meshes(const struct pp_world *world)
 {
     return world->mesh_count > 0 ? world->meshes[0].first_side : world->surface_count;
@@ -141,6 +151,8 @@ static enum pp_status resolve_site(struct pp_resolver *r, struct pp_error *err)
             : room->decorations;
     world->ground_level_m = room->site.ground_level_m;
     world->ground_is_open = room->site.ground_is_open;
+    world->bare_from = room->site.bare_from;
+    world->bare_to = room->site.bare_to;
     world->use = room->use;
     world->name = room->name ? strdup(room->name) : NULL;
     world->ref = room->ref ? strdup(room->ref) : NULL;
@@ -347,8 +359,8 @@ static enum pp_status resolve_world(struct pp_resolver *r, struct pp_error *err)
         pp_build_free_surfaces, pp_build_fittings,       pp_build_covers,
         mark_inner_walls,       pp_build_shades,         resolve_gardens,
         resolve_working_plane,  pp_build_receivers,      pp_build_views,
-        pp_build_nested,        find_triangles,          pp_build_meshes,
-        resolve_self_occlusion};
+        pp_build_nested,        pp_build_trees,          find_triangles,
+        pp_build_meshes,        resolve_self_occlusion};
     enum pp_status status = pp_clipper_create(&r->clipper, err);
     for (size_t i = 0; i < sizeof steps / sizeof *steps && status == PP_OK; i++)
         status = steps[i](r, err);

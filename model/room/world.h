@@ -121,12 +121,22 @@ struct pp_opening {
     bool faces_open_out; /* no face has a part outside the plane of its glass */
 };
 
-/* A pane of the coarse model between the room's windows and the sky
- * (outside/nested.h). */
+/* A pane between the room's windows and the sky: of the coarse model
+ * (outside/nested.h), or a face of a tree's crown (outside/trees.h). */
 struct pp_outer_pane {
     struct pp_polygon outline; /* in the room's axes; normal into the coarse model */
     struct pp_vec3 up;         /* axis of its opening */
-    int opening;               /* index in the coarse model's world */
+    int opening;               /* index in the coarse model's world; -1: a crown */
+    int tree;                  /* index of the tree whose crown it bounds; -1: glass */
+};
+
+/* A tree outside (outside/trees.h). */
+struct pp_tree {
+    struct pp_vec3 foot; /* on the ground */
+    double height_m, crown_base_m, crown_width_m;
+    double transmittance,
+        winter_transmittance; /* of the crown, with and without leaves */
+    int line;
 };
 
 /* An infinitely long obstruction parallel to a wall, from the ground up. With a
@@ -272,8 +282,12 @@ struct pp_world {
 
     struct pp_world *within; /* the coarse model that the room is nested in, in its own
                               * axes; held; NULL: none */
-    struct pp_outer_pane *outer_panes; /* glass of the coarse model */
+    struct pp_outer_pane *outer_panes; /* glass of the coarse model, then crowns */
     int outer_pane_count;
+    struct pp_tree *trees;
+    int tree_count;
+    int bare_from, bare_to;   /* months, 1 to 12: first and last without leaves */
+    bool trees_are_bare;      /* true: the trees have no leaves */
     int coarse_surface_count; /* surfaces taken from the coarse model */
     bool within_is_before;    /* it is the space in front of the windows; else it is in
                                * the place of the room */
@@ -297,6 +311,9 @@ const char *pp_world_kind(const struct pp_world *world, int line);
 
 /* Area of the floor, m2. */
 double pp_world_floor_m2(const struct pp_world *world);
+
+/* Number of panes of the coarse model between the room and the sky. */
+int pp_world_coarse_panes(const struct pp_world *world);
 
 /* Number of surfaces that do not belong to meshes; surfaces of meshes come last. */
 int pp_world_before_meshes(const struct pp_world *world);

@@ -228,7 +228,7 @@ static bool add_within(struct json_object *model, const struct pp_world *world)
            && pp_json_add(within, "surfaces",
                           json_object_new_int(world->coarse_surface_count))
            && pp_json_add(within, "panes",
-                          json_object_new_int(world->outer_pane_count));
+                          json_object_new_int(pp_world_coarse_panes(world)));
 }
 
 bool pp_json_room_add(struct json_object *object, const struct pp_world *world,
@@ -254,5 +254,7 @@ bool pp_json_room_add(struct json_object *object, const struct pp_world *world,
            && pp_json_add(model, "surfaces-outside", json_object_new_int(outside))
            && pp_json_add(model, "meshes", json_object_new_int(world->mesh_count))
            && pp_json_add(model, "mesh-triangles", json_object_new_int(triangles))
+           && (world->tree_count == 0
+               || pp_json_add(model, "trees", json_object_new_int(world->tree_count)))
            && add_within(model, world);
 }

@@ -11,6 +11,7 @@
 #include "model/light/rough/rough_finishes.h"
 #include "model/room/corrections.h"
 #include "model/base/text.h"
+#include "model/room/outside/trees.h"
 
 enum { LABEL = 15, TEXT_BYTES = 512 };
 
@@ -300,7 +301,15 @@ static void tell_outside(const struct pp_world *world,
         pp_text_append(text, TEXT_BYTES, "; %d mesh%s of %d triangle%s",
                        world->mesh_count, world->mesh_count > 1 ? "es" : "", triangles,
                        triangles > 1 ? "s" : "");
-    if (world->skyline_count + world->block_count + loose + triangles == 0
+    if (world->tree_count > 0)
+        pp_text_append(text, TEXT_BYTES, "; %d tree%s%s", world->tree_count,
+                       world->tree_count > 1 ? "s" : "",
+                       !pp_trees_change(world) ? ""
+                       : world->trees_are_bare ? ", without leaves"
+                                               : ", with leaves");
+    if (world->skyline_count + world->block_count + loose + triangles
+                + world->tree_count
+            == 0
         && !world->within)
         pp_text_append(text, TEXT_BYTES, "; no obstruction");
     tell(listener, "outside", "%s", text);
@@ -309,7 +318,7 @@ static void tell_outside(const struct pp_world *world,
 /* The coarse model that the room is nested in. */
 static void tell_within(const struct pp_world *world, const struct listener *listener)
 {
-    int panes = world->outer_pane_count;
+    int panes = pp_world_coarse_panes(world);
     if (!world->within)
         return;
     const char *name = world->within->name ? world->within->name : "coarse model";

@@ -14,6 +14,11 @@ static enum pp_status create_radiosity_engine(void **data,
     enum pp_status able = pp_scattering_panes_refuse(report->world, "radiosity", err);
     if (able != PP_OK)
         return able;
+    if (report->world->tree_count > 0)
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "engine radiosity: the site has trees, through which this engine "
+            "cannot follow light; expected the engine path, cache or photons");
     if (report->world->outer_pane_count > 0)
         return pp_fail(err, PP_BAD_INPUT,
                        "engine radiosity: the coarse model of within has panes between "

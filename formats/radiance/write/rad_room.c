@@ -150,15 +150,16 @@ static enum pp_status add_panes(struct rad_room_builder *b)
     return status;
 }
 
-/* Adds the panes of the coarse model that the room is nested in. */
+/* Adds the panes of the coarse model that the room is nested in, and crowns of trees. */
 static enum pp_status add_outer_panes(struct rad_room_builder *b)
 {
     enum pp_status status = PP_OK;
     for (int i = 0; i < b->world->outer_pane_count && status == PP_OK; i++) {
         const struct pp_outer_pane *pane = &b->world->outer_panes[i];
-        const struct pp_opening *opening = &b->world->within->openings[pane->opening];
+        const struct pp_opening *opening =
+            pane->tree < 0 ? &b->world->within->openings[pane->opening] : NULL;
         int front, back;
-        if (opening->blind)
+        if (opening && opening->blind)
             return pp_fail(b->err, PP_BAD_INPUT,
                            "%s %s of the coarse model has a blind, which the export "
                            "cannot write; expected a coarse model without blinds",

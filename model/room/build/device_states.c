@@ -36,6 +36,13 @@ static struct pp_world *copy_of_world(const struct pp_world *world)
     return copy;
 }
 
+enum pp_status pp_device_states_copy(struct pp_world **copy,
+                                     const struct pp_world *world, struct pp_error *err)
+{
+    *copy = copy_of_world(world);
+    return *copy ? PP_OK : pp_fail_memory(err);
+}
+
 static void remove_device(struct pp_opening *opening)
 {
     if (opening->device.kind == PP_DEVICE_NONE)

@@ -11,6 +11,12 @@
 /* True if an opening has a blind, a screen or a curtain. */
 bool pp_device_states_exist(const struct pp_world *world);
 
+/* A copy of the world, to be changed in part. On success the caller destroys *copy by
+ * pp_device_states_destroy. */
+enum pp_status pp_device_states_copy(struct pp_world **copy,
+                                     const struct pp_world *world,
+                                     struct pp_error *err);
+
 /* The room without its devices: blinds are raised, curtains are drawn back. On success
  * the caller destroys *open. */
 enum pp_status pp_device_states_open(struct pp_world **open,

@@ -48,6 +48,9 @@ static enum pp_status add_common(struct pp_room *room,
     for (int i = 0; i < common->mesh_count && status == PP_OK; i++)
         if (pp_site_state_has(state, common->meshes[i].state))
             status = pp_outside_parts_add_mesh(room, &common->meshes[i], err);
+    for (int i = 0; i < common->tree_count && status == PP_OK; i++)
+        if (pp_site_state_has(state, common->trees[i].state))
+            status = pp_outside_parts_add_tree(room, &common->trees[i], err);
     for (int i = 0; i < common->surface_count && status == PP_OK; i++) {
         struct pp_surface_part part = common->surfaces[i];
         part.is_of_site = true;
@@ -161,7 +164,7 @@ static enum pp_status add_neighbour(struct pp_room *room,
 static bool holds(const struct pp_room *common)
 {
     return common->skyline_count + common->block_count + common->surface_count
-               + common->mesh_count + common->garden_count
+               + common->mesh_count + common->garden_count + common->tree_count
            > 0;
 }
 

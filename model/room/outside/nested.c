@@ -278,6 +278,7 @@ static enum pp_status add_outer_panes(const struct nesting *n, struct pp_error *
         if (status != PP_OK)
             return status;
         world->outer_pane_count++;
+        pane->tree = -1;
         for (int k = 0; k < pane->outline.count; k++)
             pane->outline.vertices[k] =
                 pp_placement_to_building(&n->place, pane->outline.vertices[k]);
@@ -286,6 +287,23 @@ static enum pp_status add_outer_panes(const struct nesting *n, struct pp_error *
         pane->opening = i;
     }
     return PP_OK;
+}
+
+/* Adds the trees of the coarse model; trees.c adds their crowns. */
+static enum pp_status add_coarse_trees(const struct nesting *n, struct pp_error *err)
+{
+    struct pp_world *world = n->r->world;
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < n->coarse->tree_count && status == PP_OK; i++) {
+        struct pp_tree tree = n->coarse->trees[i];
+        tree.foot = pp_placement_to_building(&n->place, tree.foot);
+        tree.line = n->part->line;
+        status = pp_array_append(&world->trees, world->tree_count, sizeof *world->trees,
+                                 err);
+        if (status == PP_OK)
+            world->trees[world->tree_count++] = tree;
+    }
+    return status;
 }
 
 /* ---- outside ---- */
@@ -374,6 +392,8 @@ enum pp_status pp_build_nested(struct pp_resolver *r, struct pp_error *err)
         r->world->coarse_surface_count = r->world->surface_count - own;
         if (status == PP_OK)
             status = add_outer_panes(&n, err);
+        if (status == PP_OK)
+            status = add_coarse_trees(&n, err);
         if (status == PP_OK)
             status = add_far_skylines(&n, err);
     }

@@ -69,6 +69,20 @@ enum pp_status pp_outside_parts_add_mesh(struct pp_room *room,
     return PP_OK;
 }
 
+enum pp_status pp_outside_parts_add_tree(struct pp_room *room,
+                                         const struct pp_tree_part *part,
+                                         struct pp_error *err)
+{
+    enum pp_status status =
+        pp_array_append(&room->trees, room->tree_count, sizeof *room->trees, err);
+    if (status != PP_OK)
+        return status;
+    struct pp_tree_part *added = &room->trees[room->tree_count++];
+    *added = *part;
+    added->tree.foot = pp_placement_to_room(&room->placement, part->tree.foot);
+    return PP_OK;
+}
+
 enum pp_status pp_outside_parts_add_garden(struct pp_room *room,
                                            const struct pp_garden_part *part,
                                            struct pp_error *err)

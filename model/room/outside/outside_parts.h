@@ -21,6 +21,9 @@ enum pp_status pp_outside_parts_add_surface(struct pp_room *room,
 enum pp_status pp_outside_parts_add_mesh(struct pp_room *room,
                                          const struct pp_mesh_part *part,
                                          struct pp_error *err);
+enum pp_status pp_outside_parts_add_tree(struct pp_room *room,
+                                         const struct pp_tree_part *part,
+                                         struct pp_error *err);
 enum pp_status pp_outside_parts_add_garden(struct pp_room *room,
                                            const struct pp_garden_part *part,
                                            struct pp_error *err);

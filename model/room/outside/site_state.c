@@ -46,6 +46,11 @@ void pp_site_state_keep(struct pp_room *room, enum pp_site_state state)
         else
             pp_room_parts_clear_garden(&room->gardens[i]);
     room->garden_count = kept;
+    kept = 0;
+    for (int i = 0; i < room->tree_count; i++)
+        if (pp_site_state_has(state, room->trees[i].state))
+            room->trees[kept++] = room->trees[i];
+    room->tree_count = kept;
 }
 
 unsigned pp_site_state_set(const struct pp_room *room)
@@ -61,5 +66,7 @@ unsigned pp_site_state_set(const struct pp_room *room)
         set |= 1u << room->meshes[i].state;
     for (int i = 0; i < room->garden_count; i++)
         set |= 1u << room->gardens[i].state;
+    for (int i = 0; i < room->tree_count; i++)
+        set |= 1u << room->trees[i].state;
     return set;
 }

@@ -46,6 +46,8 @@ static void read_site(struct pp_reader *r, struct pp_room *room,
                         "you mean \"GB\"?");
         return;
     }
+    /* November to April in the north; half a year later in the south. */
+    bool is_south = form.latitude_rad < 0.0;
     enum pp_work by_place = form.surroundings == PP_INDUSTRIAL ? PP_DIRTY : PP_CLEAN;
     room->site_is_own = true;
     room->site = (struct pp_site_part){
@@ -57,7 +59,14 @@ static void read_site(struct pp_reader *r, struct pp_room *room,
         .ground_level_m = form.ground_level_m,
         .ground_is_open = form.ground_is_open != 0,
         .dirt = (enum pp_dirt)form.dirt,
+        .bare_from = form.bare_from > 0 ? form.bare_from
+                     : is_south         ? 5
+                                        : 11,
+        .bare_to = form.bare_to > 0 ? form.bare_to
+                   : is_south       ? 10
+                                    : 4,
         .line = e->line};
+    pp_read_outside_trees(r, room, e);
     snprintf(room->site.country, sizeof room->site.country, "%s",
              form.country ? form.country : "");
 }
@@ -277,8 +286,11 @@ static void read_child(struct pp_reader *r, struct pp_room *room,
 }
 
 /* Site of a room or building without an element <site>. */
-static const struct pp_site_part plain_site = {
-    .latitude_rad = NAN, .longitude_rad = NAN, .ground_reflectance = 0.2};
+static const struct pp_site_part plain_site = {.latitude_rad = NAN,
+                                               .longitude_rad = NAN,
+                                               .ground_reflectance = 0.2,
+                                               .bare_from = 11,
+                                               .bare_to = 4};
 
 /* Sets the room's name, placement and bearing, and the defaults of its elements. */
 static void begin_room(struct pp_reader *r, struct pp_room *room,

@@ -41,6 +41,41 @@ void pp_read_outside_garden(struct pp_reader *r, struct pp_room *room,
     room->gardens[room->garden_count++] = part;
 }
 
+static void read_tree(struct pp_reader *r, struct pp_room *room,
+                      const struct pp_xml_element *e)
+{
+    struct pp_tree_form form;
+    if (!pp_reader_fill_form(r, &form, &pp_rule_tree, e))
+        return;
+    if (!(form.height_m - form.crown_base_m >= PP_ROOM_LENGTH_LEAST_M)) {
+        pp_mistakes_add(r->mistakes, e->line,
+                        "tree: its crown-base is %g m above the ground and its height "
+                        "%g m; expected a crown-base below the height",
+                        form.crown_base_m, form.height_m);
+        return;
+    }
+    if (PP_READER_RESERVE(r, room->trees, room->tree_count))
+        room->trees[room->tree_count++] = (struct pp_tree_part){
+            .tree = {.foot = pp_vec(form.x, form.y, 0.0),
+                     .height_m = form.height_m,
+                     .crown_base_m = form.crown_base_m,
+                     .crown_width_m = form.crown_width_m,
+                     .transmittance = form.transmittance,
+                     .winter_transmittance = isnan(form.winter_transmittance)
+                                                 ? form.transmittance
+                                                 : form.winter_transmittance,
+                     .line = e->line},
+            .state = (enum pp_site_state)form.state};
+}
+
+void pp_read_outside_trees(struct pp_reader *r, struct pp_room *room,
+                           const struct pp_xml_element *site)
+{
+    for (const struct pp_xml_element *e = site->child; e; e = e->next)
+        if (pp_element_form_matches(e, &pp_rule_tree))
+            read_tree(r, room, e);
+}
+
 void pp_read_outside_facade(struct pp_reader *r, struct pp_room *room,
                             const struct pp_xml_element *e)
 {

@@ -19,6 +19,10 @@ void pp_read_outside_block(struct pp_reader *r, struct pp_room *room,
 void pp_read_outside_surface(struct pp_reader *r, struct pp_room *room,
                              const struct pp_xml_element *e);
 
+/* Reads the trees within a site. */
+void pp_read_outside_trees(struct pp_reader *r, struct pp_room *room,
+                           const struct pp_xml_element *site);
+
 /* Reads a mesh and its file. Mistakes in the mesh file are reported on the line of the
  * element; the message gives their line in the mesh file. */
 void pp_read_outside_mesh(struct pp_reader *r, struct pp_room *room,

@@ -53,8 +53,23 @@ static const struct pp_attribute_rule site_rows[] = {
     {"ground-level", &pp_room_values_coordinate, OR(0), IN(site, ground_level_m)},
     {"ground", &pp_room_values_ground_kind, OR(0), IN(site, ground_is_open)},
     {"dirt", &pp_room_values_dirt_edition, OR(0), IN(site, dirt)},
+    {"bare-from", &pp_room_values_month, OR(0), IN(site, bare_from)},
+    {"bare-to", &pp_room_values_month, OR(0), IN(site, bare_to)},
 };
-LEAF(site, "site", site_rows);
+static const struct pp_attribute_rule tree_rows[] = {
+    {"x", &pp_room_values_coordinate, REQUIRED, IN(tree, x)},
+    {"y", &pp_room_values_coordinate, REQUIRED, IN(tree, y)},
+    {"height", &pp_room_values_size, REQUIRED, IN(tree, height_m)},
+    {"crown-base", &pp_room_values_depth, OR(0), IN(tree, crown_base_m)},
+    {"crown-width", &pp_room_values_size, REQUIRED, IN(tree, crown_width_m)},
+    {"transmittance", &pp_room_values_fraction, REQUIRED, IN(tree, transmittance)},
+    {"winter-transmittance", &pp_room_values_fraction, OR(NAN),
+     IN(tree, winter_transmittance)},
+    {"state", &pp_room_values_state, OR(0), IN(tree, state)},
+};
+LEAF(tree, "tree", tree_rows);
+static const struct pp_child_rule site_children[] = {{&pp_rule_tree, 0, 0}};
+RULE(site, "site", site_rows, site_children);
 
 static const struct pp_attribute_rule sky_rows[] = {
     {"type", &pp_room_values_sky_type, OR(0), IN(sky, type)},

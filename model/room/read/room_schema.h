@@ -109,11 +109,18 @@ struct pp_project_form {
 struct pp_site_form {
     double latitude_rad, longitude_rad, ground_level_m;
     struct pp_finish_value ground;
-    const char *country; /* NULL: not given */
-    int surroundings;    /* enum pp_surroundings */
-    int work;            /* enum pp_work, -1: not given */
-    int ground_is_open;  /* 0 shaded, 1 open */
-    int dirt;            /* enum pp_dirt */
+    const char *country;    /* NULL: not given */
+    int surroundings;       /* enum pp_surroundings */
+    int work;               /* enum pp_work, -1: not given */
+    int ground_is_open;     /* 0 shaded, 1 open */
+    int dirt;               /* enum pp_dirt */
+    int bare_from, bare_to; /* months; 0: not given */
+};
+
+struct pp_tree_form {
+    double x, y, height_m, crown_base_m, crown_width_m;
+    double transmittance, winter_transmittance; /* winter NAN: not given */
+    int state;                                  /* enum pp_site_state */
 };
 
 /* Attributes read by sky_picture_file.h. */
@@ -289,6 +296,6 @@ extern const struct pp_element_rule pp_rule_building, pp_rule_building_room,
     pp_rule_garden, pp_rule_block, pp_rule_footprint, pp_rule_surface, pp_rule_mesh,
     pp_rule_working_plane, pp_rule_wall, pp_rule_overhang, pp_rule_fin, pp_rule_balcony,
     pp_rule_shelf, pp_rule_blind, pp_rule_screen, pp_rule_curtain, pp_rule_point,
-    pp_rule_line, pp_rule_grid, pp_rule_view;
+    pp_rule_line, pp_rule_grid, pp_rule_view, pp_rule_tree;
 
 #endif

@@ -179,6 +179,8 @@ const struct pp_value_kind pp_room_values_plan_roof = {
 const struct pp_value_kind pp_room_values_teeth = {
     PP_VALUE_COUNT, "a whole number from 1 to 50", 1.0, PP_PLAN_ROOF_TEETH_MOST,
     .unit = 1.0};
+const struct pp_value_kind pp_room_values_month = {
+    PP_VALUE_COUNT, "the number of a month, from 1 to 12", 1.0, 12.0, .unit = 1.0};
 static const char *const ridges[] = {"longer", "width", "depth", NULL};
 const struct pp_value_kind pp_room_values_ridge = {
     .reading = PP_VALUE_CHOICE,
