@@ -7,6 +7,7 @@
 #include "model/results/lattice.h"
 #include "model/room/build/device_states.h"
 #include "studies/year/annual_plane.h"
+#include "studies/year/annual_seasons.h"
 #include "studies/year/annual_store.h"
 #include "studies/year/annual_words.h"
 #include "studies/year/annual_work.h"
@@ -111,6 +112,8 @@ static enum pp_status prepare(struct pp_annual_work *work, struct pp_error *err)
         status = pp_device_states_open(&work->opened, work->world, err);
     work->open.world = work->opened ? work->opened : work->world;
     if (status == PP_OK)
+        status = pp_annual_seasons_plan(work, err);
+    if (status == PP_OK)
         status = pp_annual_state_init(&work->open, work, err);
     if (status == PP_OK)
         status = make_tables(work, err);
@@ -148,10 +151,28 @@ static enum pp_status trace_closed(struct pp_annual_work *work,
                : status;
 }
 
+/* Calculates the room without leaves on the trees, and open windows. */
+static enum pp_status see_bare(struct pp_annual_work *work, struct pp_error *err)
+{
+    double ended = SEEN * work->scale;
+    if (!work->leafless)
+        return PP_OK;
+    enum pp_status status = pp_annual_state_init(&work->bare, work, err);
+    if (status == PP_OK)
+        status = trace_closed(work, &work->bare, err);
+    if (status == PP_OK)
+        status = see_state(work, &work->bare, ended, ended, err);
+    if (status == PP_OK)
+        pp_annual_seasons_merge_sun(work);
+    return status;
+}
+
 /* Calculates the room with its own blinds in the hours in which any are closed. */
 static enum pp_status close_windows(struct pp_annual_work *work, struct pp_error *err)
 {
     enum pp_status status = pp_annual_closed_plan(work, err);
+    if (status == PP_OK)
+        status = pp_annual_seasons_divide(work, err);
     for (int s = 0; s < work->closed_count && status == PP_OK; s++) {
         struct pp_annual_state *state = &work->closed[s];
         double begun = OPEN_SHARE + (CLOSED - OPEN_SHARE) * s / work->closed_count;
@@ -180,6 +201,11 @@ static enum pp_status keep_coefficients(struct pp_annual_work *work,
     int groups = work->groups.count;
     struct pp_annual_sheet *sheet = work->sheet;
     double ground = pp_outside_light_ground(work->light) / PP_PI;
+    if (work->leafless)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the trees have another transmittance in winter, so that one "
+                       "set of coefficients is not enough; expected trees without "
+                       "winter-transmittance");
     if (columns > patches + 1)
         return pp_fail(err, PP_BAD_INPUT,
                        "a skyline without a distance cannot be used for coefficients; "
@@ -253,9 +279,10 @@ static enum pp_status work_out(struct pp_annual_work *work, struct pp_error *err
     status = see_state(work, &work->open, LIT * work->scale, SEEN * work->scale, err);
     if (status != PP_OK)
         return status;
-    if (work->sheet->has_blinds)
-        pp_annual_direct_find(work);
-    if (work->opened && work->sheet->has_blinds)
+    status = see_bare(work, err);
+    if (status == PP_OK && work->sheet->has_blinds)
+        status = pp_annual_direct_find(work, err);
+    if (status == PP_OK && work->opened && work->sheet->has_blinds)
         status = close_windows(work, err);
     if (status == PP_OK && work->options->coefficients && work->open.coefficients)
         status = keep_coefficients(work, err);
@@ -275,9 +302,11 @@ static void clear_work(struct pp_annual_work *work)
     pp_annual_point_clear_spaces(work);
     pp_annual_lighting_destroy(work->lighting);
     pp_annual_state_clear(&work->open);
+    pp_annual_state_clear(&work->bare);
     for (int s = 0; s < work->closed_count; s++)
         pp_annual_state_clear(&work->closed[s]);
     free(work->closed);
+    pp_annual_seasons_clear(work);
     pp_device_states_destroy(work->opened);
     pp_thread_pool_destroy(work->pool);
     pp_blind_groups_clear(&work->groups);

@@ -118,7 +118,7 @@ enum pp_status pp_annual_closed_plan(struct pp_annual_work *work, struct pp_erro
 {
     struct closed_plan plan = {.work = work, .skies = (size_t)work->year->sky_count};
     const struct pp_world *other = NULL;
-    work->closed = calloc(STATES, sizeof *work->closed);
+    work->closed = calloc(2 * STATES, sizeof *work->closed);
     enum pp_status status = work->closed ? share_groups(&plan) : PP_SYSTEM;
     if (status != PP_OK)
         status = pp_fail_memory(err);

@@ -1,4 +1,5 @@
 /* annual_direct.c - the hours in which blinds are closed, with the direct sun at the points. */
+#include "studies/year/annual_seasons.h"
 #include "studies/year/annual_work.h"
 
 bool pp_annual_direct_see(void *data, int worker, int x)
@@ -55,10 +56,11 @@ static bool closes_at(const struct pp_annual_work *work, int group, bool device,
     return false;
 }
 
-void pp_annual_direct_find(struct pp_annual_work *work)
+enum pp_status pp_annual_direct_find(struct pp_annual_work *work, struct pp_error *err)
 {
+    enum pp_status status = PP_OK;
     int count = work->year->sky_count;
-    for (int g = 0; g < work->groups.count; g++) {
+    for (int g = 0; g < work->groups.count && status == PP_OK; g++) {
         bool device = pp_annual_direct_has_device(work, g);
         for (int i = 0; i < work->year->count; i++) {
             int sky = work->year->hours[i].sky;
@@ -70,10 +72,11 @@ void pp_annual_direct_find(struct pp_annual_work *work)
         }
         if (!device && work->options->blinds == PP_BLINDS_LM83
             && work->open.coefficients)
-            pp_year_coefficients_on_panes(
-                work->open.coefficients, g,
-                work->on_panes + (size_t)(g * PP_YEAR_BATCHES) * work->open.step);
+            status = pp_annual_seasons_on_panes(
+                work, g,
+                work->on_panes + (size_t)(g * PP_YEAR_BATCHES) * work->open.step, err);
     }
+    return status;
 }
 
 /* True if an earlier state than s has a share of the group's light, too. */

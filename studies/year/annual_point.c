@@ -3,12 +3,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "studies/year/annual_seasons.h"
 #include "studies/year/annual_work.h"
 
 /* Working memory of one thread. */
 struct pp_annual_space {
     float *skies;   /* [point of the block][group][batch][step] */
     float *suns;    /* the same order */
+    float *bare[2]; /* skies and suns without leaves; NULL: not needed */
     float *sky;     /* the part of skies of the current point */
     float *sun;     /* the part of suns of the current point */
     float *open;    /* [batch][step]: all light */
@@ -27,6 +29,8 @@ void pp_annual_point_clear_spaces(struct pp_annual_work *work)
         struct pp_annual_space *space = &work->spaces[i];
         free(space->skies);
         free(space->suns);
+        free(space->bare[0]);
+        free(space->bare[1]);
         free(space->open);
         free(space->blinds);
         for (int k = 0; k < 5; k++)
@@ -61,6 +65,10 @@ enum pp_status pp_annual_point_make_spaces(struct pp_annual_work *work,
         struct pp_annual_space *space = &work->spaces[i];
         space->skies = calloc(all * (size_t)work->block, sizeof(float));
         space->suns = calloc(all * (size_t)work->block, sizeof(float));
+        for (int k = 0; k < 2 && work->leafless; k++)
+            enough &=
+                (space->bare[k] = calloc(all * (size_t)work->block, sizeof(float)))
+                != NULL;
         space->open = calloc(batches, sizeof(float));
         space->blinds = calloc(batches * (size_t)work->block, sizeof(float));
         space->rank = calloc(work->open.step, sizeof(float));
@@ -245,6 +253,24 @@ static enum pp_status light_block(const struct pp_annual_work *work,
                : status;
 }
 
+/* Calculates a block with open windows, each hour in its season. */
+static enum pp_status light_open_block(const struct pp_annual_work *work,
+                                       struct pp_annual_space *space, int first,
+                                       int count)
+{
+    enum pp_status status = light_block(work, space, &work->open, first, count);
+    if (status != PP_OK || !work->leafless)
+        return status;
+    struct pp_annual_space bare = {.skies = space->bare[0], .suns = space->bare[1]};
+    size_t rows = (size_t)count * (size_t)work->groups.count * PP_YEAR_BATCHES;
+    status = light_block(work, &bare, &work->bare, first, count);
+    if (status == PP_OK) {
+        pp_annual_seasons_merge(work, space->skies, bare.skies, rows);
+        pp_annual_seasons_merge(work, space->suns, bare.suns, rows);
+    }
+    return status;
+}
+
 /* Calculates points first to end - 1 with the windows in one state. */
 static enum pp_status compute_block(struct pp_annual_work *work,
                                     struct pp_annual_space *space,
@@ -253,7 +279,9 @@ static enum pp_status compute_block(struct pp_annual_work *work,
 {
     size_t numbers = (size_t)work->groups.count * PP_YEAR_BATCHES * state->step;
     size_t all = PP_YEAR_BATCHES * work->open.step;
-    enum pp_status status = light_block(work, space, state, first, end - first);
+    enum pp_status status = state == &work->open
+                                ? light_open_block(work, space, first, end - first)
+                                : light_block(work, space, state, first, end - first);
     for (int x = first; x < end && status == PP_OK; x++) {
         float *blinds = space->blinds + (size_t)(x - first) * all;
         space->sky = space->skies + (size_t)(x - first) * numbers;

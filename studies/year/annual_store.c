@@ -11,7 +11,9 @@ static struct pp_year_origin origin_of(const struct pp_annual_work *work,
 {
     const struct pp_annual_options *options = work->options;
     struct pp_year_origin origin = {.room = options->room_number,
-                                    .state = state == &work->open ? 0 : 1,
+                                    .state = state == &work->open   ? 0
+                                             : state == &work->bare ? 2
+                                                                    : 1,
                                     .scene = pp_light_scene_hash(state->scene),
                                     .light = pp_environment_hash(state->environment),
                                     .north_rad = work->world->north_rad,

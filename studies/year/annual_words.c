@@ -8,6 +8,7 @@
 
 #include "model/base/text.h"
 #include "model/room/build/device_states.h"
+#include "model/room/outside/trees.h"
 
 static enum pp_status fill_hours(struct pp_annual_sheet *sheet,
                                  const struct pp_weather_year *year,
@@ -266,4 +267,8 @@ void pp_annual_words_method(struct pp_annual_sheet *sheet,
                  "point, through %d cells with the sun in its true position. Sunlight "
                  "reflected specularly by glass is ignored",
                  options->patches, samples, cells);
+    if (pp_trees_change(sheet->world))
+        pp_text_append(sheet->method, sizeof sheet->method,
+                       ". Trees have no leaves in months %d to %d",
+                       sheet->world->bare_from, sheet->world->bare_to);
 }

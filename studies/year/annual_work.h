@@ -19,8 +19,12 @@ struct pp_annual_work {
     struct pp_year_clock clock;
     struct pp_blind_groups groups;
     struct pp_thread_pool *pool;
-    struct pp_world *opened;        /* world without its devices; NULL: it has none */
-    struct pp_annual_state open;    /* in all hours */
+    struct pp_world *opened;     /* world without its devices; NULL: it has none */
+    struct pp_annual_state open; /* in all hours */
+    struct pp_annual_state bare; /* the same without leaves; world NULL: none */
+    struct pp_world *season;     /* open.world in one season; NULL: the same always */
+    struct pp_world *leafless;   /* bare.world; NULL: none */
+    unsigned char *is_bare;      /* [sky]: true without leaves */
     struct pp_annual_state *closed; /* with the room's own blinds */
     int closed_count;
     struct pp_annual_state *state;       /* whose direct light is being calculated */
@@ -66,7 +70,7 @@ bool pp_annual_direct_see(void *work, int worker, int x);
 /* Finds the hours with closed blinds by the chosen control, with the direct sun at all
  * points through open windows, and the light on the panes. Counts the hours in which
  * closed blinds still let too much direct sun pass. */
-void pp_annual_direct_find(struct pp_annual_work *work);
+enum pp_status pp_annual_direct_find(struct pp_annual_work *work, struct pp_error *err);
 void pp_annual_direct_count_unmet(struct pp_annual_work *work);
 
 /* Plans the states of closed windows, each with its shares: those of closed groups with a

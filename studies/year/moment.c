@@ -8,6 +8,7 @@
 #include "model/base/text.h"
 #include "model/light/sun.h"
 #include "model/room/build/device_states.h"
+#include "model/room/outside/trees.h"
 
 enum pp_status pp_moment_of_weather(struct pp_moment *moment,
                                     const struct pp_weather_year *year,
@@ -160,6 +161,8 @@ enum pp_status pp_moment_turn_slats(struct pp_world *world,
                                     struct pp_error *err)
 {
     struct pp_perez_sky sky = pp_weather_year_turned(&moment->sky, world->north_rad);
+    if (moment->date.month > 0)
+        world->trees_are_bare = pp_trees_are_bare(world, moment->date.month);
     return pp_device_states_turn(world, sky.direct_lx > 0.0, sky.sun, err);
 }
 
