@@ -121,6 +121,7 @@ enum pp_status pp_annual_state_light(struct pp_annual_state *state,
 
 struct piece_sums {
     const struct pp_annual_work *work;
+    const struct pp_world *world; /* of the state */
     const struct pp_light_columns *columns;
     struct pp_vec3 point;
     float *rows;
@@ -135,7 +136,7 @@ static void add_piece_of_sky(void *data, const struct pp_sky_piece *piece)
         + work->groups.of_opening[piece->opening] * sums->columns->column_count;
     double coefficient =
         piece->coefficient
-        * pp_surface_materials_past_outer_panes(work->world, sums->point, piece->u);
+        * pp_surface_materials_past_outer_panes(sums->world, sums->point, piece->u);
     if (piece->ground)
         row[sums->columns->patches.count] +=
             (float)(coefficient * pp_outside_light_ground(work->light) / PP_PI);
@@ -153,7 +154,7 @@ enum pp_status pp_annual_state_see(struct pp_annual_state *state,
     if (status != PP_OK)
         return status;
     struct piece_sums sums = {
-        work, &state->columns, work->receivers[x].position,
+        work, state->world, &state->columns, work->receivers[x].position,
         state->direct + (size_t)x * groups * (size_t)state->columns.column_count};
     status = pp_sky_view_pieces(&view, PIECE_RAD, add_piece_of_sky, &sums, NULL);
     float *sun = state->direct_sun + (size_t)x * groups * count;
