@@ -25,8 +25,21 @@ static void add_corners(struct pp_bounds2 *outer, const struct pp_room_plan *pla
             fmin(fmax(corners[i].y, room->low[1] - most), room->high[1] + most));
 }
 
+/* True if the pane is the top of a crown that is nearer to the room than that. */
+static bool is_crown_near(const struct pp_room_plan *plan,
+                          const struct pp_outer_pane *pane, double most_m)
+{
+    const struct pp_bounds2 *room = &plan->extent;
+    if (pane->tree < 0 || !(pane->outline.normal.z > 0.5))
+        return false;
+    const struct pp_tree *tree = &plan->world->trees[pane->tree];
+    double x = fmax(room->low[0] - tree->foot.x, tree->foot.x - room->high[0]);
+    double y = fmax(room->low[1] - tree->foot.y, tree->foot.y - room->high[1]);
+    return fmax(x, y) - 0.5 * tree->crown_width_m < most_m;
+}
+
 /* Extent (m) of the room with the parts drawn outside: reveals, overhangs and balconies
- * of windows, and facades, which continue for at most 0.5 m. */
+ * of windows, crowns of trees, and facades, which continue for at most 0.5 m. */
 static struct pp_bounds2 outer_extent(const struct pp_room_plan *plan)
 {
     static const double balcony_m = 2.5, facade_m = 0.5;
@@ -39,6 +52,10 @@ static struct pp_bounds2 outer_extent(const struct pp_room_plan *plan)
         if (pp_plan_frame_is_shade(&world->surfaces[i]))
             add_corners(&outer, plan, world->surfaces[i].outline.vertices,
                         world->surfaces[i].outline.count, balcony_m);
+    for (int i = 0; i < world->outer_pane_count; i++)
+        if (is_crown_near(plan, &world->outer_panes[i], balcony_m))
+            add_corners(&outer, plan, world->outer_panes[i].outline.vertices,
+                        world->outer_panes[i].outline.count, balcony_m);
     for (int i = 0; i < world->facade_count; i++)
         add_corners(&outer, plan, world->facades[i].corners, 4, facade_m);
     return outer;

@@ -95,6 +95,22 @@ static void draw_shades(cairo_t *cr, const struct pp_style *style,
     }
 }
 
+/* Draws the crowns of trees, which are dashed above the cut. */
+static void draw_crowns(cairo_t *cr, const struct pp_style *style,
+                        const struct pp_room_plan *plan)
+{
+    const struct pp_world *world = plan->world;
+    for (int i = 0; i < world->outer_pane_count; i++) {
+        const struct pp_outer_pane *pane = &world->outer_panes[i];
+        if (pane->tree < 0 || !(pane->outline.normal.z > 0.5))
+            continue;
+        const struct pp_tree *tree = &world->trees[pane->tree];
+        trace_shade(cr, plan, &pane->outline);
+        set_pen(cr, style, tree->foot.z + tree->crown_base_m > world->working_plane_m);
+        cairo_stroke(cr);
+    }
+}
+
 /* Draws the furniture that the working plane does not cut. Furniture that it cuts is
  * drawn with the plan. */
 static void draw_furniture(cairo_t *cr, const struct pp_style *style,
@@ -132,6 +148,7 @@ void pp_plan_outside_draw(cairo_t *cr, const struct pp_style *style,
     cairo_clip(cr);
     draw_facades(cr, style, plan);
     draw_shades(cr, style, plan);
+    draw_crowns(cr, style, plan);
     draw_furniture(cr, style, plan);
     cairo_restore(cr);
 }

@@ -86,4 +86,19 @@ void pp_room_words_outside(char *text, size_t room, const struct pp_world *world
     if (world->block_count > TOLD)
         pp_page_say(text, room, "%d more blocks are not listed.",
                     world->block_count - TOLD);
+    for (int i = 0; i < world->tree_count && i < TOLD; i++) {
+        const struct pp_tree *tree = &world->trees[i];
+        pp_page_say(text, room,
+                    "Tree at x\u00a0%.4g, y\u00a0%.4g, %.4g\u00a0m high, crown from "
+                    "%.4g\u00a0m, %.4g\u00a0m wide, transmittance %.3g",
+                    tree->foot.x, tree->foot.y, tree->height_m, tree->crown_base_m,
+                    tree->crown_width_m, tree->transmittance);
+        if (tree->winter_transmittance != tree->transmittance)
+            pp_page_say(text, room, "(%.3g without leaves)",
+                        tree->winter_transmittance);
+        pp_text_append(text, room, ".");
+    }
+    if (world->tree_count > TOLD)
+        pp_page_say(text, room, "%d more trees are not listed.",
+                    world->tree_count - TOLD);
 }

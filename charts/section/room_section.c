@@ -9,6 +9,7 @@
 
 #include "charts/room/device_drawing.h"
 #include "charts/room/room_plan.h"
+#include "charts/section/section_crowns.h"
 #include "charts/section/section_outside.h"
 #include "charts/section/section_sight.h"
 #include "charts/section/section_words.h"
@@ -21,7 +22,8 @@ bool pp_room_section_has_outside(const struct pp_room_section *section, bool nea
 {
     struct pp_section_sight sight =
         pp_section_sight_of(section->cut, section->world, near);
-    return sight.angle_rad > 0.0 || sight.overhang_rad < 0.5 * PP_PI;
+    return sight.angle_rad > 0.0 || sight.overhang_rad < 0.5 * PP_PI
+           || pp_section_crowns_are_outside(section->cut, section->world, near);
 }
 
 /* Height (mm) of names, dimensions and caption below the floor. */
@@ -413,6 +415,7 @@ void pp_room_section_draw(cairo_t *cr, const struct pp_style *style,
     int behind = draw_openings_behind(&drawing);
     draw_covers_behind(&drawing);
     draw_ground(&drawing);
+    pp_section_crowns_draw(cr, style, section);
     stroke_cuts(&drawing, PP_CUT_OUTSIDE, style->medium, PP_INK, CAIRO_LINE_CAP_SQUARE);
     for (int near = 1; near >= 0 && !section->no_sights; near--)
         pp_section_outside_draw(cr, style, section, near);

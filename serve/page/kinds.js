@@ -14,6 +14,7 @@ export const KINDS = {
     face: { label: 'Face', attributes: [['name', ''], ['role', '', ['floor', 'wall', 'ceiling']], ['reflectance', '']] },
     vertex: { label: 'Corner', attributes: [['x', 'm'], ['y', 'm'], ['z', 'm']] },
     site: { label: 'Site', attributes: [['latitude', '\u00b0'], ['longitude', '\u00b0'], ['surroundings', '', ['rural', 'urban', 'industrial']], ['ground-reflectance', ''], ['country', '']] },
+    tree: { label: 'Tree', attributes: [['x', 'm'], ['y', 'm'], ['height', 'm'], ['crown-base', 'm'], ['crown-width', 'm'], ['transmittance', ''], ['winter-transmittance', '']] },
     sky: { label: 'Sky', attributes: [['type', '', skies], ['sun-altitude', '\u00b0'], ['sun-bearing', '\u00b0']] },
     finishes: { label: 'Finishes', attributes: [['floor', ''], ['walls', ''], ['ceiling', '']] },
     finish: { label: 'Finish of a wall', attributes: [['wall', ''], ['reflectance', '']] },

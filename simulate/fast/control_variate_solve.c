@@ -97,7 +97,8 @@ static int lay_out_patches(struct pp_control_variate *variate,
             struct pp_control_variate_grid *grid = &variate->grids[i][side];
             const struct pp_light_part *part = &scene->parts[i];
             grid->first = -1;
-            if (part->window >= 0 || !has_side(part, &world->surfaces[i], side))
+            if (i >= world->surface_count
+                || !has_side(part, &world->surfaces[i], side)) /* panes come last */
                 continue;
             struct pp_bounds2 box =
                 part_bounds(&world->surfaces[i].outline, part, scene->centre);

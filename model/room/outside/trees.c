@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "model/base/array.h"
+#include "model/geometry/tolerance.h"
 #include "model/room/build/device_states.h"
 #include "model/room/position.h"
 
@@ -55,7 +56,10 @@ static enum pp_status add_crown(struct pp_world *world, int index, struct pp_err
                                 4, err);
     if (status == PP_OK)
         status = add_crown_face(world, index, over, SIDES, err);
-    return status == PP_OK ? add_crown_face(world, index, under, SIDES, err) : status;
+    /* The ground closes a crown that stands on it. */
+    if (status == PP_OK && low > PP_SAME_M)
+        status = add_crown_face(world, index, under, SIDES, err);
+    return status;
 }
 
 /* True if the point is within the crown. */

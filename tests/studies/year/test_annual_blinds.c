@@ -189,6 +189,51 @@ static void a_closed_blind_agrees_with_the_plain_year(void **state)
     pp_annual_sheet_clear(&plain);
 }
 
+/* The office of another program: light at a point with closed blinds of LM-83, lx per lx
+ * on the outside of the wall; means of two mirrored points, each with a standard error of
+ * 1.5 %. The brightness of the sky rises from hour to hour until the point has 300 lx. */
+static void blinds_of_lm83_give_the_light_of_another_program(void **state)
+{
+    (void)state;
+    enum { STEPS = 240, POINTS = 6 };
+    static const double given[POINTS] = {0.048949, 0.025649, 0.013201,
+                                         0.008401, 0.006378, 0.005554};
+    const char *xml =
+        "<room version='1'><site ground='open'/><plan width='4' depth='6' height='3'/>"
+        "<finishes floor='0.2' walls='0.5' ceiling='0.7'/><window wall='south' "
+        "left='0.5' sill='0.9' width='3' height='1.8' glazing='none' "
+        "maintenance='0.65'/><point x='1.875' y='0.625'/><point x='1.875' y='1.625'/>"
+        "<point x='1.875' y='2.875'/><point x='1.875' y='3.875'/><point x='1.875' "
+        "y='4.875'/><point x='1.875' y='5.625'/></room>";
+    double outside[STEPS];
+    struct pp_test_year made;
+    pp_test_make_year(&made);
+    for (int i = 0; i < STEPS; i++) {
+        struct pp_perez_sky sky = {.b = -1.0,
+                                   .sun = pp_test_toward(30.0, 180.0),
+                                   .N = 620.0 * pow(16.0, i / 239.0)};
+        sky.diffuse_lx = PP_PI * sky.N;
+        sky.direct_lx = 1.65 * sky.diffuse_lx;
+        outside[i] = 0.6 * sky.diffuse_lx + 0.1 * sky.direct_lx * sin(30.0 * PP_RAD)
+                     + sky.direct_lx * cos(30.0 * PP_RAD);
+        pp_test_add_hour(&made, &sky);
+    }
+    struct pp_annual_options options = pp_test_whole_day(256);
+    struct pp_annual_sheet sheet;
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, xml);
+    pp_test_year_of(&sheet, world, &light, &made, &options);
+    assert_near(sheet.groups[0].closed_h, STEPS, 1e-9);
+    for (int x = 0; x < POINTS; x++) {
+        int dark = (int)lround(STEPS * (1.0 - sheet.points[x].blinds_autonomy.value));
+        assert_true(dark > 0 && dark < STEPS);
+        assert_near(300.0 / sqrt(outside[dark - 1] * outside[dark]), given[x],
+                    0.035 * given[x]);
+    }
+    pp_annual_sheet_clear(&sheet);
+    pp_world_destroy(world);
+}
+
 TEST_FILE
 {
     static const struct CMUnitTest tests[] = {
@@ -197,6 +242,7 @@ TEST_FILE
         cmocka_unit_test(windows_close_one_by_one),
         cmocka_unit_test(lm83_is_met_by_the_straight_light_of_a_screen),
         cmocka_unit_test(a_closed_blind_agrees_with_the_plain_year),
+        cmocka_unit_test(blinds_of_lm83_give_the_light_of_another_program),
     };
     add_tests(tests, NULL, NULL);
 }
