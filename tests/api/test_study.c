@@ -172,7 +172,7 @@ static void a_seed_gives_the_same_bits_on_any_number_of_threads(void **state)
 }
 
 /* A second simulation, by photons, has its own column beside the first. */
-static void photons_stand_beside_what_was_traced(void **state)
+static void photons_have_a_column_beside_traced_values(void **state)
 {
     (void)state;
     struct opened opened = open_room(ROOM(OPENING POINT));
@@ -427,7 +427,7 @@ TEST_FILE
         cmocka_unit_test(a_variant_of_a_formula_stands_beside_the_original),
         cmocka_unit_test(the_traced_sky_component_agrees_with_the_exact_one),
         cmocka_unit_test(a_seed_gives_the_same_bits_on_any_number_of_threads),
-        cmocka_unit_test(photons_stand_beside_what_was_traced),
+        cmocka_unit_test(photons_have_a_column_beside_traced_values),
         cmocka_unit_test(mistakes_have_lines),
         cmocka_unit_test(an_unreadable_file_is_an_error),
         cmocka_unit_test(what_makes_no_sense_is_refused),

@@ -98,7 +98,7 @@ static void skies_share_a_scene(void **state)
 }
 
 /* Other points and another engine need no other scene. */
-static void points_and_engines_share_it_too(void **state)
+static void points_and_engines_share_a_scene(void **state)
 {
     (void)state;
     const double points[2][3] = {{1.2, 2.0, NAN}, {0.9, 3.0, NAN}};
@@ -137,7 +137,7 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(skies_share_a_scene),
-        cmocka_unit_test(points_and_engines_share_it_too),
+        cmocka_unit_test(points_and_engines_share_a_scene),
         cmocka_unit_test(a_sky_that_is_not_one_leaves_all_as_it_was),
     };
     add_tests(tests, NULL, NULL);

@@ -250,7 +250,7 @@ static void one_point_is_drawn(void **state)
     pp_world_destroy(world);
 }
 
-static void what_has_no_value_is_accounted_for(void **state)
+static void missing_values_have_a_reason(void **state)
 {
     (void)state;
     struct pp_outside_light light;
@@ -521,7 +521,7 @@ TEST_FILE
             points_that_do_not_lie_on_a_line_are_refused_with_the_one_that_strays),
         cmocka_unit_test(a_slanting_line_is_a_line_too),
         cmocka_unit_test(one_point_is_drawn),
-        cmocka_unit_test(what_has_no_value_is_accounted_for),
+        cmocka_unit_test(missing_values_have_a_reason),
         cmocka_unit_test(a_report_without_values_says_so_on_the_chart),
         cmocka_unit_test(zeros_infinities_and_extremes_are_drawn_without_a_fault),
         cmocka_unit_test(dozens_of_methods_get_a_legend),

@@ -66,7 +66,7 @@ static int longest_run(cairo_surface_t *image, int line, int length, bool down)
     return longest;
 }
 
-static void its_rulers_are_100_mm_long(void **state)
+static void the_rulers_are_100_mm_long(void **state)
 {
     (void)state;
     cairo_surface_t *image = draw_test_page();
@@ -87,7 +87,7 @@ static void its_rulers_are_100_mm_long(void **state)
 }
 
 /* Every shade of the grey wedge is present, from black to white. */
-static void its_greys_go_from_black_to_white(void **state)
+static void the_grey_wedge_goes_from_black_to_white(void **state)
 {
     (void)state;
     static const int shares[] = {100, 90, 80, 70, 60, 50, 40, 30, 20, 12, 6, 0};
@@ -128,8 +128,8 @@ static void a_machine_with_fonts_has_all_its_letters(void **state)
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(its_rulers_are_100_mm_long),
-        cmocka_unit_test(its_greys_go_from_black_to_white),
+        cmocka_unit_test(the_rulers_are_100_mm_long),
+        cmocka_unit_test(the_grey_wedge_goes_from_black_to_white),
         cmocka_unit_test(a_machine_with_fonts_has_all_its_letters),
     };
     add_tests(tests, NULL, NULL);

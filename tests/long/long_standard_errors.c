@@ -69,8 +69,8 @@ static void end(const char *room, const char *client, const struct line *line)
     all_within_2 += line->within_2;
 }
 
-static void of_points(const char *name, const struct pp_world *world,
-                      const struct pp_outside_light *light)
+static void errors_of_points(const char *name, const struct pp_world *world,
+                             const struct pp_outside_light *light)
 {
     struct line line = {0};
     struct pp_tracer_options options = {
@@ -108,10 +108,10 @@ static void cached(const struct pp_world *world, const struct pp_light_scene *sc
     pp_cached_points_destroy(points);
 }
 
-static void of_cached_points(const char *name, const struct pp_world *world,
-                             const struct pp_light_scene *scene,
-                             const struct pp_environment *outside,
-                             const struct pp_opening_store *store)
+static void errors_of_cached_points(const char *name, const struct pp_world *world,
+                                    const struct pp_light_scene *scene,
+                                    const struct pp_environment *outside,
+                                    const struct pp_opening_store *store)
 {
     struct line line = {0};
     struct pp_irradiance_cache *cache;
@@ -150,9 +150,9 @@ static void sense(const struct pp_light_scene *scene,
     pp_sensors_destroy(sensors);
 }
 
-static void of_sensors(const char *name, const struct pp_sensor *list,
-                       const struct pp_light_scene *scene,
-                       const struct pp_environment *outside)
+static void errors_of_sensors(const char *name, const struct pp_sensor *list,
+                              const struct pp_light_scene *scene,
+                              const struct pp_environment *outside)
 {
     struct line line = {0};
     struct pp_sensor_reading truth[POINTS], one[POINTS];
@@ -197,8 +197,8 @@ static void draw(const struct pp_light_scene *scene,
     pp_render_destroy(render);
 }
 
-static void of_pixels(const char *name, const struct pp_light_scene *scene,
-                      const struct pp_environment *outside)
+static void errors_of_pixels(const char *name, const struct pp_light_scene *scene,
+                             const struct pp_environment *outside)
 {
     struct line line = {0};
     double truth[9], its_errors[9], values[9], errors[9];
@@ -228,7 +228,7 @@ static struct pp_light_scene *lamp_room(struct pp_material sheet)
 }
 
 /* Sensors and pixels lit by a lamp directly, by a mirror and by polished metal. */
-static void of_lamps(void)
+static void errors_of_lamps(void)
 {
     static const struct pp_vec3 up = {0.0, 0.0, 1.0}, down = {0.0, 0.0, -1.0};
     const struct pp_sensor list[POINTS] = {{{1.1, 1.3, 0.85}, up, 0},
@@ -245,8 +245,8 @@ static void of_lamps(void)
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct pp_light_scene *scene = lamp_room(cases[i].sheet);
-        of_sensors(cases[i].name, list, scene, NULL);
-        of_pixels(cases[i].name, scene, NULL);
+        errors_of_sensors(cases[i].name, list, scene, NULL);
+        errors_of_pixels(cases[i].name, scene, NULL);
         pp_light_scene_destroy(scene);
     }
 }
@@ -264,20 +264,20 @@ static void values_lie_within_their_errors_in_every_client(void **state)
         struct pp_opening_store *store;
         assert_int_equal(pp_opening_store_create(&store, scene, outside, 1, 0, NULL),
                          PP_OK);
-        of_points(rooms[i].name, world, &light);
-        of_cached_points(rooms[i].name, world, scene, outside, store);
+        errors_of_points(rooms[i].name, world, &light);
+        errors_of_cached_points(rooms[i].name, world, scene, outside, store);
         struct pp_sensor list[POINTS];
         for (int k = 0; k < POINTS; k++)
             list[k] = (struct pp_sensor){world->receivers[k].position,
                                          world->receivers[k].normal, 0};
-        of_sensors(rooms[i].name, list, scene, outside);
-        of_pixels(rooms[i].name, scene, outside);
+        errors_of_sensors(rooms[i].name, list, scene, outside);
+        errors_of_pixels(rooms[i].name, scene, outside);
         pp_opening_store_destroy(store);
         pp_environment_destroy(outside);
         pp_light_scene_destroy(scene);
         pp_world_destroy(world);
     }
-    of_lamps();
+    errors_of_lamps();
     print_message("# all: %d values, %.1f %% and %.1f %%\n", all_count,
                   100.0 * all_within_1 / all_count, 100.0 * all_within_2 / all_count);
     assert_in_range(1000 * all_within_1 / all_count, 640, 740);

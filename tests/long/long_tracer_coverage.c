@@ -26,7 +26,7 @@ static void daylight_factors_lie_within_their_errors_over_seeds(void **state)
 
 /* Averages of rooms lit by slits, with a target error of 0.5 %: one in ten may have
  * more than twice this error, none more than five times. */
-static void the_error_asked_for_is_about_reached_behind_slits(void **state)
+static void the_target_error_is_about_reached_behind_slits(void **state)
 {
     (void)state;
     enum { SEEDS = 30 };
@@ -71,7 +71,7 @@ static void the_error_asked_for_is_about_reached_behind_slits(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_error_asked_for_is_about_reached_behind_slits),
+        cmocka_unit_test(the_target_error_is_about_reached_behind_slits),
         cmocka_unit_test(sky_components_of_200_rooms_lie_within_their_errors),
         cmocka_unit_test(daylight_factors_lie_within_their_errors_over_seeds),
     };

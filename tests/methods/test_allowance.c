@@ -21,7 +21,7 @@ static void a_figure_that_contains_all_needs_nothing(void **state)
 
 /* Tolerances of the tests below: rounding of a few products and quotients. */
 
-static void what_is_missing_is_multiplied_on_once(void **state)
+static void missing_corrections_are_applied_once(void **state)
 {
     (void)state;
     struct pp_opening opening = opening_with(pp_glass_of_normal(2, 1.52, 0.02, 0.61));
@@ -101,7 +101,7 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_figure_that_contains_all_needs_nothing),
-        cmocka_unit_test(what_is_missing_is_multiplied_on_once),
+        cmocka_unit_test(missing_corrections_are_applied_once),
         cmocka_unit_test(
             figures_for_clear_glass_become_those_of_the_glass_by_diffuse_light),
         cmocka_unit_test(

@@ -232,7 +232,7 @@ static void levels_between_usual_ones_are_multiples_of_a_round_step(void **state
     pp_world_destroy(world);
 }
 
-static void levels_asked_for_are_the_levels_drawn(void **state)
+static void requested_levels_are_the_levels_drawn(void **state)
 {
     (void)state;
     static const double levels[] = {0.0077, 0.0233};
@@ -263,7 +263,7 @@ TEST_FILE
         cmocka_unit_test(points_of_a_contour_have_its_daylight_factor),
         cmocka_unit_test(no_more_than_a_fifth_of_the_plane_has_no_line),
         cmocka_unit_test(levels_between_usual_ones_are_multiples_of_a_round_step),
-        cmocka_unit_test(levels_asked_for_are_the_levels_drawn),
+        cmocka_unit_test(requested_levels_are_the_levels_drawn),
     };
     add_tests(tests, NULL, NULL);
 }

@@ -519,7 +519,7 @@ static void explained_figures_are_the_sum_of_their_steps(void **state)
     pp_world_destroy(world);
 }
 
-static void figures_have_no_steps_unless_asked_for(void **state)
+static void figures_have_no_steps_unless_requested(void **state)
 {
     (void)state;
     struct pp_outside_light light;
@@ -567,7 +567,7 @@ TEST_FILE
         cmocka_unit_test(unknown_names_are_answered_with_the_known_ones),
         cmocka_unit_test(all_is_every_direct_with_bre_and_exact_with_every_internal),
         cmocka_unit_test(explained_figures_are_the_sum_of_their_steps),
-        cmocka_unit_test(figures_have_no_steps_unless_asked_for),
+        cmocka_unit_test(figures_have_no_steps_unless_requested),
         cmocka_unit_test(every_method_is_found_by_its_name),
     };
     add_tests(tests, NULL, NULL);

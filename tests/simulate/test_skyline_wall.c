@@ -111,7 +111,7 @@ static void a_skyline_with_a_distance_is_the_block_in_its_place(void **state)
     assert_same_light(by_photons, STREET, window_m);
 }
 
-static void it_is_so_through_the_windows_of_another_wall(void **state)
+static void light_through_windows_of_another_wall_is_the_same(void **state)
 {
     (void)state;
     assert_same_light(by_paths, ASIDE, wall_m);
@@ -148,7 +148,7 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_skyline_with_a_distance_is_the_block_in_its_place),
-        cmocka_unit_test(it_is_so_through_the_windows_of_another_wall),
+        cmocka_unit_test(light_through_windows_of_another_wall_is_the_same),
         cmocka_unit_test(a_street_is_darker_than_the_open_sky_makes_it),
     };
     add_tests(tests, NULL, NULL);

@@ -114,7 +114,7 @@ static void no_plane_and_no_window_are_no_lit_area(void **state)
 /* A room of 20 m2, lit over 14 m2 and then 4 m2, has lost its second zone, and its
  * first zone except for the part left in the front zone. A room without a previous
  * state only contributes its area. */
-static void a_sum_of_rooms_has_what_is_known_of_each(void **state)
+static void a_sum_of_rooms_includes_the_known_areas_of_each(void **state)
 {
     (void)state;
     struct pp_lit_change sum = pp_lit_area_change(NAN, NAN, NAN);
@@ -143,7 +143,7 @@ TEST_FILE
         cmocka_unit_test(the_no_sky_line_lies_where_head_and_house_are_in_line),
         cmocka_unit_test(along_the_legal_line_the_sky_factor_is_a_fifth_of_a_per_cent),
         cmocka_unit_test(a_loss_is_counted_by_quarters_of_the_room),
-        cmocka_unit_test(a_sum_of_rooms_has_what_is_known_of_each),
+        cmocka_unit_test(a_sum_of_rooms_includes_the_known_areas_of_each),
         cmocka_unit_test(no_plane_and_no_window_are_no_lit_area),
     };
     add_tests(tests, NULL, NULL);

@@ -64,7 +64,7 @@ static double line_at(const char *text, double first[2])
 /* The L-shaped room is 7 m long at x = 1, 3 m at x = 5, and 8 m at y = 2. The rooflight
  * is larger than the window, so the default line passes through its middle, x = 5,
  * perpendicular to the window wall, which faces north. */
-static void a_section_is_cut_where_it_is_told(void **state)
+static void a_section_is_at_the_requested_position(void **state)
 {
     (void)state;
     double first[2];
@@ -102,7 +102,7 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(
             points_lie_square_to_the_largest_window_at_most_a_quarter_metre_apart),
-        cmocka_unit_test(a_section_is_cut_where_it_is_told),
+        cmocka_unit_test(a_section_is_at_the_requested_position),
         cmocka_unit_test(a_place_is_x_or_y_or_a_name),
     };
     add_tests(tests, NULL, NULL);

@@ -213,7 +213,7 @@ static void a_chapter_begins_a_sheet_unless_most_of_one_is_left(void **state)
 
 /* Very long names and cells, of one word or many, and more columns than fit stay on
  * their sheets. */
-static void what_is_too_long_is_broken_or_cut_and_never_lost_off_the_sheet(void **state)
+static void long_text_is_broken_or_cut_within_the_sheet(void **state)
 {
     (void)state;
     enum { LONG = 7000, COLUMNS = 20 };
@@ -299,8 +299,7 @@ TEST_FILE
         cmocka_unit_test(a_table_without_rows_has_a_head),
         cmocka_unit_test(no_heading_is_the_last_of_a_sheet),
         cmocka_unit_test(a_chapter_begins_a_sheet_unless_most_of_one_is_left),
-        cmocka_unit_test(
-            what_is_too_long_is_broken_or_cut_and_never_lost_off_the_sheet),
+        cmocka_unit_test(long_text_is_broken_or_cut_within_the_sheet),
         cmocka_unit_test(pictures_go_two_on_a_sheet_at_true_scale),
     };
     add_tests(tests, NULL, NULL);

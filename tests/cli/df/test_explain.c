@@ -331,7 +331,7 @@ static void printed_formulae_recompute_from_printed_figures(void **state)
 
 /* Points that are upright, diffusing panes, skies with a sun, dozens of windows, none.
  */
-static void those_of_odd_rooms_do_so_too(void **state)
+static void printed_formulae_of_odd_rooms_give_their_values(void **state)
 {
     (void)state;
     char path[1024];
@@ -410,7 +410,7 @@ TEST_FILE
         cmocka_unit_test(senseless_formulae_and_unknown_symbols_are_found),
         cmocka_unit_test(intervals_hold_all_that_rounding_allows),
         cmocka_unit_test(printed_formulae_recompute_from_printed_figures),
-        cmocka_unit_test(those_of_odd_rooms_do_so_too),
+        cmocka_unit_test(printed_formulae_of_odd_rooms_give_their_values),
     };
     add_tests(tests, NULL, NULL);
 }

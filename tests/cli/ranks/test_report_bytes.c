@@ -63,7 +63,7 @@ static void numbers_arrive_to_the_bit_and_sentences_whole(void **state)
 }
 
 /* A report is unfinished if either of its parts was stopped. */
-static void what_was_stopped_anywhere_is_unfinished(void **state)
+static void a_report_with_a_stopped_part_is_unfinished(void **state)
 {
     (void)state;
     for (int i = 0; i < 3; i++) {
@@ -122,7 +122,7 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_arrive_to_the_bit_and_sentences_whole),
-        cmocka_unit_test(what_was_stopped_anywhere_is_unfinished),
+        cmocka_unit_test(a_report_with_a_stopped_part_is_unfinished),
         cmocka_unit_test(bytes_that_are_cut_short_are_refused),
         cmocka_unit_test(columns_of_another_room_are_refused),
     };

@@ -67,7 +67,7 @@ static void a_record_has_its_place_time_and_values(void **state)
 }
 
 /* Every code for a missing value, and an empty field. */
-static void what_is_missing_is_not_a_number(void **state)
+static void missing_values_are_nan(void **state)
 {
     (void)state;
     static const char *const codes[] = {"999900", "999999", "999900.0", ""};
@@ -442,7 +442,7 @@ static void header_lines_that_are_wrong_are_named(void **state)
 }
 
 /* Bytes that do not occur in weather files. */
-static void what_is_no_text_is_refused(void **state)
+static void bytes_that_are_no_text_are_rejected(void **state)
 {
     (void)state;
     static const struct {
@@ -508,7 +508,7 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_record_has_its_place_time_and_values),
-        cmocka_unit_test(what_is_missing_is_not_a_number),
+        cmocka_unit_test(missing_values_are_nan),
         cmocka_unit_test(lines_end_as_they_like),
         cmocka_unit_test(lines_are_counted_however_they_end),
         cmocka_unit_test(a_leap_day_may_be_there),
@@ -523,7 +523,7 @@ TEST_FILE
         cmocka_unit_test(numbers_that_are_none_are_named),
         cmocka_unit_test(times_that_are_none_are_named),
         cmocka_unit_test(header_lines_that_are_wrong_are_named),
-        cmocka_unit_test(what_is_no_text_is_refused),
+        cmocka_unit_test(bytes_that_are_no_text_are_rejected),
         cmocka_unit_test(mistakes_are_said_up_to_some),
         cmocka_unit_test(a_file_that_is_not_there_is_named),
     };

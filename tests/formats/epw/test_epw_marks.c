@@ -48,7 +48,7 @@ static void illuminance_without_irradiance_is_a_mark(void **state)
     pp_epw_destroy(epw);
 }
 
-static void loggers_mark_what_is_missing_by_minus_999(void **state)
+static void loggers_mark_missing_values_by_minus_999(void **state)
 {
     (void)state;
     struct pp_epw *epw = read_day("0,0", "6/21", "-999", "-9999", "0");
@@ -115,7 +115,7 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(illuminance_without_irradiance_is_a_mark),
-        cmocka_unit_test(loggers_mark_what_is_missing_by_minus_999),
+        cmocka_unit_test(loggers_mark_missing_values_by_minus_999),
         cmocka_unit_test(days_of_a_spreadsheet_are_read),
         cmocka_unit_test(days_of_the_week_in_a_month_are_days_of_a_year),
     };

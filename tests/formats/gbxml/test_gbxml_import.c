@@ -256,7 +256,7 @@ static void what_lacks_is_closed_and_said(void **state)
 /* A shade in front of the window reduces light. Objects in the room and a door are
  * omitted and reported. A window type without a transmittance is reported with the
  * default used. */
-static void what_is_taken_and_left_out_is_said(void **state)
+static void defaults_and_omissions_are_reported(void **state)
 {
     (void)state;
     const struct pp_vec3 at = {1.3, 2.2, 0.85};
@@ -373,7 +373,7 @@ TEST_FILE
         cmocka_unit_test(rooms_share_a_wall),
         cmocka_unit_test(attic_is_an_envelope),
         cmocka_unit_test(what_lacks_is_closed_and_said),
-        cmocka_unit_test(what_is_taken_and_left_out_is_said),
+        cmocka_unit_test(defaults_and_omissions_are_reported),
         cmocka_unit_test(others_are_refused_with_a_reason),
         cmocka_unit_test(broken_files_do_no_harm),
     };

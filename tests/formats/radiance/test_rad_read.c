@@ -484,7 +484,7 @@ static void a_zone_is_its_meridian(void **state)
     }
 }
 
-static void what_has_no_area_or_is_not_seen_is_left_out(void **state)
+static void shapes_without_area_or_material_are_omitted(void **state)
 {
     (void)state;
     static const char text[] = WHITE "white polygon p 0 0 9 0 0 0 1 0 0 2 0 0\n"
@@ -499,7 +499,7 @@ static void what_has_no_area_or_is_not_seen_is_left_out(void **state)
     pp_scene_description_clear(&scene);
 }
 
-static void what_is_not_understood_is_refused_by_its_line(void **state)
+static void unsupported_input_is_rejected_with_its_line(void **state)
 {
     (void)state;
     static const struct {
@@ -677,8 +677,8 @@ TEST_FILE
         cmocka_unit_test(a_written_perez_sky_turns_with_its_scene),
         cmocka_unit_test(skies_are_those_of_gensky),
         cmocka_unit_test(a_zone_is_its_meridian),
-        cmocka_unit_test(what_has_no_area_or_is_not_seen_is_left_out),
-        cmocka_unit_test(what_is_not_understood_is_refused_by_its_line),
+        cmocka_unit_test(shapes_without_area_or_material_are_omitted),
+        cmocka_unit_test(unsupported_input_is_rejected_with_its_line),
         cmocka_unit_test(a_file_that_is_cut_off_or_binary_ends_well),
     };
     add_tests(tests, NULL, NULL);

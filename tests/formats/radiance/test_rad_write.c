@@ -355,7 +355,7 @@ static void what_radiance_has_no_words_for_is_refused(void **state)
 }
 
 /* Round shapes and every material, written as text and read back. */
-static void any_scene_comes_back(void **state)
+static void any_scene_is_read_back_unchanged(void **state)
 {
     (void)state;
     static const char text[] =
@@ -416,7 +416,7 @@ static void names_are_fit_and_unlike_each_other(void **state)
 
 /* Each shape has a front and a back material of its own, all with the same name: a
  * linear search for each would take minutes. */
-static void twenty_thousand_materials_of_one_name_are_told_apart(void **state)
+static void twenty_thousand_materials_of_one_name_get_unique_names(void **state)
 {
     (void)state;
     enum { COUNT = 20000 };
@@ -452,7 +452,7 @@ static void numbers_come_back_to_the_bit(void **state)
     assert_string_equal(text, "0.1");
 }
 
-static void what_is_not_our_own_function_is_refused(void **state)
+static void invalid_or_foreign_functions_are_rejected(void **state)
 {
     (void)state;
     static const char *const wrong[] = {
@@ -493,11 +493,11 @@ TEST_FILE
         cmocka_unit_test(openings_that_part_a_wall_leave_several_outlines),
         cmocka_unit_test(a_far_skyline_is_part_of_the_sky),
         cmocka_unit_test(what_radiance_has_no_words_for_is_refused),
-        cmocka_unit_test(any_scene_comes_back),
+        cmocka_unit_test(any_scene_is_read_back_unchanged),
         cmocka_unit_test(names_are_fit_and_unlike_each_other),
-        cmocka_unit_test(twenty_thousand_materials_of_one_name_are_told_apart),
+        cmocka_unit_test(twenty_thousand_materials_of_one_name_get_unique_names),
         cmocka_unit_test(numbers_come_back_to_the_bit),
-        cmocka_unit_test(what_is_not_our_own_function_is_refused),
+        cmocka_unit_test(invalid_or_foreign_functions_are_rejected),
     };
     add_tests(tests, NULL, NULL);
 }

@@ -104,7 +104,7 @@ static void a_constant_and_a_polynomial_come_out(void **state)
 }
 
 /* Compares with a midpoint sum. The stated error is a cautious estimate. */
-static void a_peak_at_a_wall_comes_out_to_the_error_asked_for(void **state)
+static void a_peak_at_a_wall_is_integrated_to_the_target_error(void **state)
 {
     (void)state;
     struct pp_world *world = rectangle();
@@ -303,7 +303,7 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_constant_and_a_polynomial_come_out),
-        cmocka_unit_test(a_peak_at_a_wall_comes_out_to_the_error_asked_for),
+        cmocka_unit_test(a_peak_at_a_wall_is_integrated_to_the_target_error),
         cmocka_unit_test(light_under_a_sill_is_not_stepped_over),
         cmocka_unit_test(an_edge_costs_no_more_than_the_points_allowed),
         cmocka_unit_test(the_numbers_are_the_same_with_any_number_of_threads),

@@ -43,7 +43,7 @@ static void assert_same_averages(const char *body)
     pp_world_destroy(world);
 }
 
-static void of_windows_before_a_skyline_and_a_block(void **state)
+static void average_through_windows_with_skyline_and_block(void **state)
 {
     (void)state;
     assert_same_averages(
@@ -55,7 +55,7 @@ static void of_windows_before_a_skyline_and_a_block(void **state)
         "<block x='8' y='1' width='4' depth='5' height='9'/>");
 }
 
-static void of_a_slit(void **state)
+static void average_through_a_slit(void **state)
 {
     (void)state;
     assert_same_averages("<plan width='5' depth='5' height='3'/>"
@@ -74,7 +74,7 @@ static void under_a_clear_sky(void **state)
 
 /* Glass with a slope of 22 degrees lights the plane on both sides of the glass. An
  * average over the points in front of the glass only was a third too low. */
-static void of_a_sloping_rooflight(void **state)
+static void average_through_a_sloping_rooflight(void **state)
 {
     (void)state;
     assert_same_averages(
@@ -105,10 +105,10 @@ static void of_a_sloping_rooflight(void **state)
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(of_windows_before_a_skyline_and_a_block),
-        cmocka_unit_test(of_a_slit),
+        cmocka_unit_test(average_through_windows_with_skyline_and_block),
+        cmocka_unit_test(average_through_a_slit),
         cmocka_unit_test(under_a_clear_sky),
-        cmocka_unit_test(of_a_sloping_rooflight),
+        cmocka_unit_test(average_through_a_sloping_rooflight),
     };
     add_tests(tests, NULL, NULL);
 }

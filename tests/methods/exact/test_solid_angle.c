@@ -102,7 +102,7 @@ static double paper_overcast(double h, double w)
            + 2.0 / (7.0 * PP_PI) * (atan(h * w / r) - h * w / ((1.0 + h * h) * r));
 }
 
-static void upright_rectangles_follow_the_formulae_on_paper(void **state)
+static void vertical_rectangles_agree_with_closed_forms(void **state)
 {
     (void)state;
     static const double sides[][4] = {/* h, w, SF and SC in per cent as printed */
@@ -121,7 +121,7 @@ static void upright_rectangles_follow_the_formulae_on_paper(void **state)
     }
 }
 
-static void horizontal_rectangles_follow_the_formulae_on_paper(void **state)
+static void horizontal_rectangles_agree_with_closed_forms(void **state)
 {
     (void)state;
     static const double sides[][4] = {{1.0, 1.0, 13.8532, 15.9497},
@@ -280,8 +280,8 @@ TEST_FILE
         cmocka_unit_test(an_endless_wall_shows_half_the_sky),
         cmocka_unit_test(a_vertical_receiver_sees_the_vertical_sky_component),
         cmocka_unit_test(the_design_window_has_its_fourteen_digits),
-        cmocka_unit_test(upright_rectangles_follow_the_formulae_on_paper),
-        cmocka_unit_test(horizontal_rectangles_follow_the_formulae_on_paper),
+        cmocka_unit_test(vertical_rectangles_agree_with_closed_forms),
+        cmocka_unit_test(horizontal_rectangles_agree_with_closed_forms),
         cmocka_unit_test(strips_are_the_unglazed_protractors),
         cmocka_unit_test(a_continuous_obstruction_leaves_the_vertical_sky_component),
         cmocka_unit_test(a_small_far_window_obeys_the_inverse_square_law),

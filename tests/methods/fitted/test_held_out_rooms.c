@@ -114,7 +114,8 @@ static void by_position_the_dark_quarter_has_half_the_error_of_averages(void **s
  * corrected averages are 0.48, 0.55, 0.45, and 0.24, 0.39, 0.30 by daylight factor. The
  * last value depends mainly on a few bright rooms: it varies by 0.09 between samples of
  * this size, so the limit is two of these above 0.47. */
-static void it_has_less_relatively_and_by_daylight_factor_too(void **state)
+static void position_formulae_beat_averages_by_ratio_and_by_daylight_factor(
+    void **state)
 {
     const struct errors *all = *state;
     for (int other = BRE; other <= FLUX; other++) {
@@ -160,7 +161,8 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(by_position_the_dark_quarter_has_half_the_error_of_averages),
-        cmocka_unit_test(it_has_less_relatively_and_by_daylight_factor_too),
+        cmocka_unit_test(
+            position_formulae_beat_averages_by_ratio_and_by_daylight_factor),
         cmocka_unit_test(and_no_more_elsewhere),
         cmocka_unit_test(corrected_averages_are_nearer_to_the_traced_ones),
         cmocka_unit_test(errors_are_those_of_the_theory),

@@ -64,7 +64,7 @@ static void build_worked_room(struct box_room *box)
     box->light.ground_reflectance = 0.17;
 }
 
-static void worked_room_is_as_on_paper(void **state)
+static void worked_room_is_as_calculated_by_hand(void **state)
 {
     (void)state;
     struct box_room box;
@@ -89,7 +89,7 @@ static void worked_room_is_as_on_paper(void **state)
  *   R_fw = (19.61 0.15 + 14.3 1.35 0.62)/(19.61 + 14.3 1.35) = 0.383157
  * and 0.15 m of the 1.3 m of the window's height are below the plane at 0.85 m.
  */
-static void worked_room_is_as_on_paper_by_bre_and_split_flux(void **state)
+static void worked_room_is_as_calculated_by_hand_by_bre_and_split_flux(void **state)
 {
     (void)state;
     struct box_room box;
@@ -297,7 +297,7 @@ static void a_reveal_takes_light(void **state)
     }
 }
 
-static void what_was_not_fitted_is_refused(void **state)
+static void rooms_outside_the_fit_are_rejected(void **state)
 {
     (void)state;
     struct box_room box;
@@ -337,8 +337,8 @@ static void a_point_behind_the_windows_wall_counts_as_in_it(void **state)
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(worked_room_is_as_on_paper),
-        cmocka_unit_test(worked_room_is_as_on_paper_by_bre_and_split_flux),
+        cmocka_unit_test(worked_room_is_as_calculated_by_hand),
+        cmocka_unit_test(worked_room_is_as_calculated_by_hand_by_bre_and_split_flux),
         cmocka_unit_test(the_ground_stands_in_half_of_the_openings_shade),
         cmocka_unit_test(a_window_as_broad_as_its_wall_lights_alike_from_side_to_side),
         cmocka_unit_test(a_furnace_is_lit_alike_everywhere_by_its_energy_balance),
@@ -351,7 +351,7 @@ TEST_FILE
         cmocka_unit_test(the_mean_over_the_plane_is_the_average),
         cmocka_unit_test(ground_and_obstruction_are_the_rooms),
         cmocka_unit_test(a_reveal_takes_light),
-        cmocka_unit_test(what_was_not_fitted_is_refused),
+        cmocka_unit_test(rooms_outside_the_fit_are_rejected),
         cmocka_unit_test(a_point_behind_the_windows_wall_counts_as_in_it),
     };
     add_tests(tests, NULL, NULL);

@@ -187,7 +187,7 @@ static void all_mistakes_are_named_at_once(void **state)
     done();
 }
 
-static void what_is_no_text_is_refused(void **state)
+static void bytes_that_are_no_text_are_rejected(void **state)
 {
     (void)state;
     assert_int_equal(parse("Ev\0h", 4), PP_BAD_INPUT);
@@ -247,7 +247,7 @@ TEST_FILE
         cmocka_unit_test(table_for_light_from_above_is_read),
         cmocka_unit_test(mistakes_are_named_by_line),
         cmocka_unit_test(all_mistakes_are_named_at_once),
-        cmocka_unit_test(what_is_no_text_is_refused),
+        cmocka_unit_test(bytes_that_are_no_text_are_rejected),
         cmocka_unit_test(too_long_axes_are_refused),
         cmocka_unit_test(damaged_tables_do_no_harm),
     };

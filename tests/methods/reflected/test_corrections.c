@@ -108,7 +108,7 @@ static void work_is_clean_but_in_industrial_surroundings(void **state)
     }
 }
 
-static void nothing_is_taken_off_unless_asked_for(void **state)
+static void nothing_is_subtracted_unless_requested(void **state)
 {
     (void)state;
     struct pp_outside_light light;
@@ -270,7 +270,7 @@ TEST_FILE
         cmocka_unit_test(dirt_goes_by_place_work_and_slope),
         cmocka_unit_test(cleaner_air_leaves_more),
         cmocka_unit_test(work_is_clean_but_in_industrial_surroundings),
-        cmocka_unit_test(nothing_is_taken_off_unless_asked_for),
+        cmocka_unit_test(nothing_is_subtracted_unless_requested),
         cmocka_unit_test(frames_and_curtains_have_names_or_numbers),
         cmocka_unit_test(each_correction_counts_once_in_every_method),
         cmocka_unit_test(decorations_bear_on_the_traced_reflected_component_only),

@@ -17,7 +17,7 @@ static void build_worked_room(struct box_room *box)
     box_room_south(box, 0.2, 0.9, 3.6, 1.5);
 }
 
-static void worked_room_as_on_paper(void **state)
+static void worked_room_as_calculated_by_hand(void **state)
 {
     (void)state;
     struct box_room box;
@@ -170,7 +170,7 @@ static void a_room_is_split_if_both_parts_have_surfaces(void **state)
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(worked_room_as_on_paper),
+        cmocka_unit_test(worked_room_as_calculated_by_hand),
         cmocka_unit_test(a_cupboard_counts_with_its_outer_faces),
         cmocka_unit_test(parts_and_openings_make_up_the_whole),
         cmocka_unit_test(a_ceiling_is_above_its_own_rooflight),

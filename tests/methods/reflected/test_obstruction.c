@@ -130,7 +130,7 @@ static void level_glass_counts_the_share_of_the_sky_that_is_hidden(void **state)
     assert_near(angle_rad, PP_PI / 2.0 * (1.0 - (1.0 + cos(PP_PI / 4.0)) / 2.0), 5e-4);
 }
 
-static void of_several_skylines_the_highest_counts(void **state)
+static void the_highest_of_several_skylines_counts(void **state)
 {
     (void)state;
     struct box_room box;
@@ -159,7 +159,7 @@ TEST_FILE
         cmocka_unit_test(the_wall_s_own_thickness_is_no_obstruction),
         cmocka_unit_test(the_wall_s_own_thickness_limits_the_sky_from_above),
         cmocka_unit_test(level_glass_counts_the_share_of_the_sky_that_is_hidden),
-        cmocka_unit_test(of_several_skylines_the_highest_counts),
+        cmocka_unit_test(the_highest_of_several_skylines_counts),
     };
     add_tests(tests, NULL, NULL);
 }

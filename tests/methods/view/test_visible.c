@@ -130,7 +130,7 @@ static void a_partition_inside_takes_light_and_gives_none(void **state)
 
 /* Objects close to the glass but beside it, behind the point, or below the sill hide
  * nothing. */
-static void what_is_not_in_the_way_changes_nothing(void **state)
+static void objects_out_of_the_way_change_nothing(void **state)
 {
     (void)state;
     struct pp_outside_light bare_light;
@@ -549,7 +549,7 @@ TEST_FILE
         cmocka_unit_test(walls_of_an_l_shaped_room_hide_its_windows),
         cmocka_unit_test(another_wing_obstructs_from_outside),
         cmocka_unit_test(a_partition_inside_takes_light_and_gives_none),
-        cmocka_unit_test(what_is_not_in_the_way_changes_nothing),
+        cmocka_unit_test(objects_out_of_the_way_change_nothing),
         cmocka_unit_test(a_block_against_the_window_covers_it),
         cmocka_unit_test(the_nearer_obstruction_counts),
         cmocka_unit_test(hidden_sky_counts_by_the_reflectance_or_by_half_of_it),

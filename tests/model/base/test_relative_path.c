@@ -52,7 +52,7 @@ static void assert_way(const char *from, const char *to, const char *wanted)
     free(prefix);
 }
 
-static void ways_lead_up_to_what_is_common_and_down(void **state)
+static void relative_paths_go_up_to_the_common_folder_and_down(void **state)
 {
     (void)state;
     assert_way("a", "a", "");
@@ -106,7 +106,7 @@ static void every_way_can_be_walked(void **state)
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ways_lead_up_to_what_is_common_and_down),
+        cmocka_unit_test(relative_paths_go_up_to_the_common_folder_and_down),
         cmocka_unit_test(links_are_followed),
         cmocka_unit_test(a_folder_that_is_not_there_changes_nothing),
         cmocka_unit_test(every_way_can_be_walked),

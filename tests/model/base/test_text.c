@@ -13,7 +13,7 @@ static void pieces_follow_one_another(void **state)
 }
 
 /* Additions to a full text do not change any byte behind it. */
-static void what_has_no_room_is_cut_off(void **state)
+static void text_beyond_the_buffer_is_cut_off(void **state)
 {
     (void)state;
     char text[12] = "a wall";
@@ -76,7 +76,7 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pieces_follow_one_another),
-        cmocka_unit_test(what_has_no_room_is_cut_off),
+        cmocka_unit_test(text_beyond_the_buffer_is_cut_off),
         cmocka_unit_test(names_are_listed_as_in_a_sentence),
         cmocka_unit_test(an_unknown_name_is_answered_with_the_nearest_or_with_all),
     };

@@ -70,7 +70,7 @@ static void every_index_is_done_once(void **state)
         }
 }
 
-static void of_no_indices_nothing_is_done(void **state)
+static void an_empty_range_of_indices_is_no_work(void **state)
 {
     (void)state;
     static struct done done;
@@ -179,7 +179,7 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_index_is_done_once),
-        cmocka_unit_test(of_no_indices_nothing_is_done),
+        cmocka_unit_test(an_empty_range_of_indices_is_no_work),
         cmocka_unit_test(work_that_stops_leaves_no_gap),
         cmocka_unit_test(two_members_work_at_the_same_time),
         cmocka_unit_test(a_crew_works_again_and_again),

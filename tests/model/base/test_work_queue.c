@@ -137,7 +137,7 @@ static void the_first_index_that_fails_is_named_after_all_before_it_are_taken(
     }
 }
 
-static void what_is_not_taken_ends_it(void **state)
+static void a_rejected_result_ends_the_run(void **state)
 {
     (void)state;
     for (int s = 0; s < 4; s++) {
@@ -150,7 +150,7 @@ static void what_is_not_taken_ends_it(void **state)
     }
 }
 
-static void a_stop_leaves_what_was_taken_without_a_gap(void **state)
+static void a_stop_leaves_collected_results_without_a_gap(void **state)
 {
     (void)state;
     for (int s = 0; s < 4; s++) {
@@ -320,8 +320,8 @@ TEST_FILE
         cmocka_unit_test(threads_give_the_bytes_of_a_plain_loop),
         cmocka_unit_test(
             the_first_index_that_fails_is_named_after_all_before_it_are_taken),
-        cmocka_unit_test(what_is_not_taken_ends_it),
-        cmocka_unit_test(a_stop_leaves_what_was_taken_without_a_gap),
+        cmocka_unit_test(a_rejected_result_ends_the_run),
+        cmocka_unit_test(a_stop_leaves_collected_results_without_a_gap),
         cmocka_unit_test(nothing_to_deal_is_done_at_once),
         cmocka_unit_test(ranks_give_the_bytes_of_a_plain_loop),
         cmocka_unit_test(a_rank_that_dies_costs_nothing_but_time),

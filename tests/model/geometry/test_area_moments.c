@@ -62,7 +62,7 @@ static void above_the_horizon_the_upper_part_is_left(void **state)
 
 /* Of the square from 0 to 4 the box leaves 1.1 to 2.9 by 0.3 to 4. The box cuts one
  * corner off the triangle. */
-static void a_box_leaves_what_is_in_it(void **state)
+static void a_box_keeps_the_part_inside_it(void **state)
 {
     (void)state;
     double square[4 * PP_AREA_MOMENTS_POINTS][2] = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
@@ -86,7 +86,7 @@ TEST_FILE
         cmocka_unit_test(a_triangles_centroid_is_the_mean_of_its_corners),
         cmocka_unit_test(a_hole_takes_its_part),
         cmocka_unit_test(above_the_horizon_the_upper_part_is_left),
-        cmocka_unit_test(a_box_leaves_what_is_in_it),
+        cmocka_unit_test(a_box_keeps_the_part_inside_it),
     };
     add_tests(tests, NULL, NULL);
 }

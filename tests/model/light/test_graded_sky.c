@@ -81,7 +81,7 @@ static void tilted_planes_as_by_a_plain_sum(void **state)
         }
 }
 
-static void tilted_planes_of_the_two_skies_as_on_paper(void **state)
+static void tilted_planes_of_two_skies_agree_with_closed_forms(void **state)
 {
     (void)state;
     for (int deg = 0; deg <= 180; deg += 15) {
@@ -154,7 +154,7 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(zenith_over_horizontal_illuminance),
         cmocka_unit_test(tilted_planes_as_by_a_plain_sum),
-        cmocka_unit_test(tilted_planes_of_the_two_skies_as_on_paper),
+        cmocka_unit_test(tilted_planes_of_two_skies_agree_with_closed_forms),
         cmocka_unit_test(upright_planes_over_a_skyline),
         cmocka_unit_test(a_skyline_and_its_light_are_each_others_inverse),
         cmocka_unit_test(level_planes_by_the_sky_below_a_plane_and_an_altitude),

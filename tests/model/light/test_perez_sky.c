@@ -55,7 +55,7 @@ static struct pp_perez_sky published_sky(int i)
                   published[i].direct_w_m2, published[i].diffuse_w_m2);
 }
 
-static void its_coefficients_are_those_of_gendaylit(void **state)
+static void perez_coefficients_are_those_of_gendaylit(void **state)
 {
     (void)state;
     for (int i = 0; i < PUBLISHED; i++) {
@@ -70,7 +70,7 @@ static void its_coefficients_are_those_of_gendaylit(void **state)
     }
 }
 
-static void its_luminances_are_those_of_another_program(void **state)
+static void perez_luminances_are_those_of_another_program(void **state)
 {
     (void)state;
     struct pp_sky_patches patches;
@@ -216,8 +216,8 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(standard_skies_have_the_zenith_of_their_illuminance),
-        cmocka_unit_test(its_coefficients_are_those_of_gendaylit),
-        cmocka_unit_test(its_luminances_are_those_of_another_program),
+        cmocka_unit_test(perez_coefficients_are_those_of_gendaylit),
+        cmocka_unit_test(perez_luminances_are_those_of_another_program),
         cmocka_unit_test(every_sky_gives_its_diffuse_illuminance),
         cmocka_unit_test(a_sky_without_bound_at_the_horizon_is_limited),
         cmocka_unit_test(a_low_sun_has_its_own_air_mass),

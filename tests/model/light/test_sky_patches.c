@@ -22,7 +22,7 @@ static void together_they_are_the_hemisphere(void **state)
 
 /* Tregenza's first row has patches of 12 by 12 degrees and 0.0435 sr; the cap has a
  * radius of 6 degrees and 0.0344 sr. */
-static void they_are_those_of_tregenza(void **state)
+static void patches_are_those_of_tregenza(void **state)
 {
     (void)state;
     struct pp_sky_patches patches;
@@ -48,7 +48,7 @@ static void a_centre_lies_in_its_patch(void **state)
 }
 
 /* In a room whose y axis points east, the eastern patch is along y. */
-static void they_turn_with_the_axes_of_the_room(void **state)
+static void patches_turn_with_the_axes_of_the_room(void **state)
 {
     (void)state;
     struct pp_sky_patches north, east;
@@ -62,9 +62,9 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(together_they_are_the_hemisphere),
-        cmocka_unit_test(they_are_those_of_tregenza),
+        cmocka_unit_test(patches_are_those_of_tregenza),
         cmocka_unit_test(a_centre_lies_in_its_patch),
-        cmocka_unit_test(they_turn_with_the_axes_of_the_room),
+        cmocka_unit_test(patches_turn_with_the_axes_of_the_room),
     };
     add_tests(tests, NULL, NULL);
 }

@@ -11,7 +11,7 @@ static const double almanac = 0.01 * PP_RAD;
  * October 2003, 12:30:30, zone -7, 39.742476 N, 105.1786 W; azimuth 194.34024, altitude
  * without refraction 39.872046 and declination -9.31434 degrees. The example includes
  * parallax, 0.002 degrees. */
-static void it_agrees_with_a_far_longer_series(void **state)
+static void the_sun_agrees_with_a_far_longer_series(void **state)
 {
     (void)state;
     double n = pp_sun_days_since_2000(2003, 10, 17, 12.0 + 30.5 / 60.0 + 7.0);
@@ -101,7 +101,7 @@ static void noon_runs_before_and_behind_the_clock(void **state)
 
 /* Positions by ERFA (IAU 2006/2000A) at UTC instants, seen from the surface of the
  * earth, without refraction. */
-static void it_agrees_with_erfa_from_1950_to_2050(void **state)
+static void the_sun_agrees_with_erfa_from_1950_to_2050(void **state)
 {
     (void)state;
     static const struct {
@@ -147,12 +147,12 @@ static void an_hour_is_fifteen_degrees(void **state)
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(it_agrees_with_a_far_longer_series),
+        cmocka_unit_test(the_sun_agrees_with_a_far_longer_series),
         cmocka_unit_test(days_are_counted_from_noon_of_2000),
         cmocka_unit_test(at_the_equinox_noon_is_a_right_angle_less_the_latitude),
         cmocka_unit_test(at_the_solstices_it_stands_over_the_tropics),
         cmocka_unit_test(noon_runs_before_and_behind_the_clock),
-        cmocka_unit_test(it_agrees_with_erfa_from_1950_to_2050),
+        cmocka_unit_test(the_sun_agrees_with_erfa_from_1950_to_2050),
         cmocka_unit_test(an_hour_is_fifteen_degrees),
     };
     add_tests(tests, NULL, NULL);

@@ -142,8 +142,7 @@ static void the_bytes_are_those_of_the_format(void **state)
     pp_picture_clear(&picture);
 }
 
-static void what_is_no_light_is_black_and_what_is_too_much_is_as_bright_as_can_be(
-    void **state)
+static void invalid_light_is_black_and_excessive_light_is_clipped(void **state)
 {
     (void)state;
     static const float odd[][3] = {{0.0f, 0.0f, 0.0f},     {NAN, 1.0f, 1.0f},
@@ -201,7 +200,7 @@ static void old_pictures_and_those_that_run_another_way_are_read(void **state)
     }
 }
 
-static void what_is_no_picture_is_refused_by_line_or_row(void **state)
+static void files_that_are_no_pictures_are_rejected_by_line_or_row(void **state)
 {
     (void)state;
     static const struct {
@@ -308,10 +307,9 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_pixel_keeps_to_half_a_per_cent_of_its_brightest_channel),
         cmocka_unit_test(the_bytes_are_those_of_the_format),
-        cmocka_unit_test(
-            what_is_no_light_is_black_and_what_is_too_much_is_as_bright_as_can_be),
+        cmocka_unit_test(invalid_light_is_black_and_excessive_light_is_clipped),
         cmocka_unit_test(old_pictures_and_those_that_run_another_way_are_read),
-        cmocka_unit_test(what_is_no_picture_is_refused_by_line_or_row),
+        cmocka_unit_test(files_that_are_no_pictures_are_rejected_by_line_or_row),
         cmocka_unit_test(a_file_that_is_cut_off_anywhere_is_refused),
         cmocka_unit_test(float_maps_are_numbers_from_the_bottom_up),
         cmocka_unit_test(a_full_disk_is_said),

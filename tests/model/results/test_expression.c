@@ -29,7 +29,7 @@ static double value_of(const char *text)
 }
 
 /* Calculated by hand. */
-static void sums_come_to_what_they_do_on_paper(void **state)
+static void sums_have_the_values_calculated_by_hand(void **state)
 {
     (void)state;
     assert_near(value_of("1 + 2 * 3 - 4"), 3.0, 0.0);
@@ -293,7 +293,7 @@ static void a_worksheet_works_out_what_it_prints(void **state)
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sums_come_to_what_they_do_on_paper),
+        cmocka_unit_test(sums_have_the_values_calculated_by_hand),
         cmocka_unit_test(a_wrong_text_is_refused_at_its_place),
         cmocka_unit_test(a_text_has_an_end),
         cmocka_unit_test(an_operation_without_a_result_is_named_with_its_column),

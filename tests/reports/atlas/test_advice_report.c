@@ -54,7 +54,7 @@ static char *words_of(const struct pp_advice *advice, size_t *widest)
     return words;
 }
 
-static void points_are_told_by_where_they_are(void **state)
+static void points_are_matched_by_position(void **state)
 {
     (void)state;
     struct pp_advice_item items[] = {item_of("exact+bre", 1.25)};
@@ -191,7 +191,7 @@ static void json_has_low_middle_and_high_of_each_ratio(void **state)
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(points_are_told_by_where_they_are),
+        cmocka_unit_test(points_are_matched_by_position),
         cmocka_unit_test(corrected_figures_stand_with_the_average_and_the_points),
         cmocka_unit_test(a_bias_is_said_with_the_factor_that_takes_it_away),
         cmocka_unit_test(formula_and_assumption_stand_apart_and_the_next_best_behind),

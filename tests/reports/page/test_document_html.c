@@ -40,7 +40,7 @@ static void assert_order(const char *page, const char *const *words)
     }
 }
 
-static void what_is_said_stands_in_its_order(void **state)
+static void text_is_in_the_order_of_the_document(void **state)
 {
     (void)state;
     struct pp_document document = {0};
@@ -110,7 +110,7 @@ static void add_text(void *closure, const char *text)
     strcat(closure, "|");
 }
 
-static void every_text_is_told_once(void **state)
+static void every_text_is_reported_once(void **state)
 {
     (void)state;
     struct pp_document document = {0};
@@ -130,10 +130,10 @@ static void every_text_is_told_once(void **state)
 TEST_FILE
 {
     static const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_is_said_stands_in_its_order),
+        cmocka_unit_test(text_is_in_the_order_of_the_document),
         cmocka_unit_test(
             a_table_without_headings_has_no_head_and_short_rows_are_filled),
-        cmocka_unit_test(every_text_is_told_once),
+        cmocka_unit_test(every_text_is_reported_once),
     };
     add_tests(tests, NULL, NULL);
 }

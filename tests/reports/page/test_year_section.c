@@ -54,7 +54,7 @@ static void shares_are_per_cent_with_their_errors(void **state)
     assert_true(has(&grid_year, "3797"));
 }
 
-static void assumptions_and_warnings_are_told(void **state)
+static void assumptions_and_warnings_are_reported(void **state)
 {
     (void)state;
     assert_true(has(&grid_year, "Somewhere"));
@@ -121,7 +121,7 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(shares_are_per_cent_with_their_errors),
-        cmocka_unit_test(assumptions_and_warnings_are_told),
+        cmocka_unit_test(assumptions_and_warnings_are_reported),
         cmocka_unit_test(a_short_report_has_a_row_for_each_room),
         cmocka_unit_test(points_without_a_grid_have_no_area),
         cmocka_unit_test(electric_light_has_its_shares_if_it_was_studied),

@@ -258,7 +258,7 @@ static enum pp_status unpack(struct pp_irradiance_cache *cache, const char *byte
     return status;
 }
 
-static void a_file_gives_back_what_was_kept_or_nothing(void **state)
+static void a_file_restores_the_stored_data_or_nothing(void **state)
 {
     (void)state;
     struct pp_outside_light light;
@@ -671,7 +671,7 @@ TEST_FILE
         cmocka_unit_test(a_furnace_to_the_end),
         cmocka_unit_test(no_light_passes_a_partition),
         cmocka_unit_test(the_same_records_by_any_number_of_threads),
-        cmocka_unit_test(a_file_gives_back_what_was_kept_or_nothing),
+        cmocka_unit_test(a_file_restores_the_stored_data_or_nothing),
         cmocka_unit_test(what_a_slit_lets_in_is_never_said_to_be_nothing),
         cmocka_unit_test(a_room_is_as_light_as_by_paths),
         cmocka_unit_test(a_record_on_an_edge_is_of_numbers),

@@ -193,7 +193,7 @@ static void a_pilot_that_saw_nothing_grows(void **state)
     assert_in_range(1000 * within_2 / SEEDS, 900, 980);
 }
 
-static void what_was_never_found_is_bounded(void **state)
+static void undetected_light_has_an_upper_limit(void **state)
 {
     (void)state;
     struct rare rare = {{0.0}, {0.5}, 3};
@@ -358,7 +358,7 @@ TEST_FILE
         cmocka_unit_test(halves_weigh_the_same_whatever_their_sizes),
         cmocka_unit_test(skewed_values_are_unbiased_and_their_errors_true),
         cmocka_unit_test(a_pilot_that_saw_nothing_grows),
-        cmocka_unit_test(what_was_never_found_is_bounded),
+        cmocka_unit_test(undetected_light_has_an_upper_limit),
         cmocka_unit_test(threads_and_slices_change_nothing),
         cmocka_unit_test(a_point_depends_on_no_other),
         cmocka_unit_test(a_restart_forgets_the_points),

@@ -206,7 +206,7 @@ static void not_all_is_seen_from_a_niche(void **state)
 
 /* A shared point is determined by its number, not by the number of later points, the
  * time of its calculation, or the threads. */
-static void shared_points_do_not_depend_on_what_was_asked_before(void **state)
+static void shared_points_do_not_depend_on_earlier_requests(void **state)
 {
     (void)state;
     struct shared_room room;
@@ -347,7 +347,7 @@ TEST_FILE
         cmocka_unit_test(a_point_that_shares_agrees_with_one_that_does_not),
         cmocka_unit_test(points_share_light_in_a_room_with_reveals),
         cmocka_unit_test(not_all_is_seen_from_a_niche),
-        cmocka_unit_test(shared_points_do_not_depend_on_what_was_asked_before),
+        cmocka_unit_test(shared_points_do_not_depend_on_earlier_requests),
         cmocka_unit_test(a_point_that_shares_depends_on_no_other),
         cmocka_unit_test(what_points_have_in_common_is_known),
         cmocka_unit_test(near_points_have_more_in_common_than_all),

@@ -84,7 +84,7 @@ static void many_skies_are_traced_on_one_scene(void **state)
 
 /* Coloured light with the store of the window, under a sky that is passed separately:
  * as bright as with the sky in the file. */
-static void so_is_coloured_light(void **state)
+static void coloured_light_is_traced_under_another_sky(void **state)
 {
     (void)state;
     struct pp_world *world = pp_test_world("<room version='1'>" ROOM);
@@ -160,7 +160,7 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(many_skies_are_traced_on_one_scene),
-        cmocka_unit_test(so_is_coloured_light),
+        cmocka_unit_test(coloured_light_is_traced_under_another_sky),
         cmocka_unit_test(scene_and_light_have_a_number_each),
     };
     add_tests(tests, NULL, NULL);

@@ -80,7 +80,7 @@ static void a_small_bright_window_is_not_missed(void **state)
 
 /* Plans aim at 92 % of the target, and one value in a few exceeds the target: with 31
  * degrees of freedom an error is accurate to 13 %, and so is that of a pilot. */
-static void the_error_asked_for_is_about_reached_everywhere(void **state)
+static void the_target_error_is_about_reached_everywhere(void **state)
 {
     (void)state;
     struct pp_outside_light light;
@@ -108,7 +108,7 @@ static void the_error_asked_for_is_about_reached_everywhere(void **state)
 
 /* Two slits of 0.1 m in a thick wall. When the pilot was as for large windows, 6 of 12
  * averages had more than twice the target error, at worst 8 times. */
-static void the_error_asked_for_is_about_reached_behind_slits(void **state)
+static void the_target_error_is_about_reached_behind_slits(void **state)
 {
     (void)state;
     int seeds = PP_SIZED(12, 12, 4);
@@ -358,8 +358,8 @@ TEST_FILE
         cmocka_unit_test(sky_components_of_many_rooms_lie_within_their_errors),
         cmocka_unit_test(daylight_factors_lie_within_their_errors_over_seeds),
         cmocka_unit_test(a_small_bright_window_is_not_missed),
-        cmocka_unit_test(the_error_asked_for_is_about_reached_everywhere),
-        cmocka_unit_test(the_error_asked_for_is_about_reached_behind_slits),
+        cmocka_unit_test(the_target_error_is_about_reached_everywhere),
+        cmocka_unit_test(the_target_error_is_about_reached_behind_slits),
         cmocka_unit_test(the_average_is_that_of_the_whole_plane),
         cmocka_unit_test(threads_change_nothing),
         cmocka_unit_test(slices_change_nothing),

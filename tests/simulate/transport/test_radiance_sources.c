@@ -50,7 +50,7 @@ static void unit_skies_light_a_horizontal_plane_by_pi_and_seven_ninths_of_it(
     assert_lit(under(&overcast, aside), 0.396177 * 7.0 * PP_PI / 9.0, 2e-3);
 }
 
-static void of_two_domes_the_smaller_one_is_seen(void **state)
+static void the_smaller_of_two_domes_is_visible(void **state)
 {
     (void)state;
     struct pp_scene_description scene;
@@ -304,7 +304,7 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(
             unit_skies_light_a_horizontal_plane_by_pi_and_seven_ninths_of_it),
-        cmocka_unit_test(of_two_domes_the_smaller_one_is_seen),
+        cmocka_unit_test(the_smaller_of_two_domes_is_visible),
         cmocka_unit_test(a_square_lamp_gives_its_form_factor_as_light_and_as_glow),
         cmocka_unit_test(the_back_of_a_lamp_is_dark),
         cmocka_unit_test(a_lamp_that_is_black_behind_is_one_emitter),

@@ -67,7 +67,7 @@ static void a_deep_room_has_the_tracers_daylight_factors(void **state)
 }
 
 /* A block nearby: patches and bins of the store may cause an error of 0.3 %. */
-static void so_has_one_with_things_close_outside(void **state)
+static void room_with_a_block_nearby_is_as_traced(void **state)
 {
     (void)state;
     assert_as_traced(DEEP "<block x='-1' y='-4' width='3' depth='2' height='4' "
@@ -80,7 +80,7 @@ static void so_has_one_with_things_close_outside(void **state)
 /* A bright wall half a metre in front of the window: light goes back and forth between
  * room and wall. Windows are sampled directly only on the first way out; the patches of
  * the store may cause an error of 1 % just beside the window. */
-static void so_has_one_with_a_wall_right_before_its_window(void **state)
+static void room_with_a_wall_close_to_its_window_is_as_traced(void **state)
 {
     (void)state;
     assert_as_traced(DEEP "<block x='-1' y='-2.5' width='3' depth='2' height='4' "
@@ -91,7 +91,7 @@ static void so_has_one_with_a_wall_right_before_its_window(void **state)
 
 /* Two windows that see each other outside, reveals, frames, dirt, a diffusing
  * rooflight, a partition, a surface that glows. */
-static void so_has_one_with_all_that_there_is(void **state)
+static void room_with_all_kinds_of_openings_is_as_traced(void **state)
 {
     (void)state;
     assert_as_traced(
@@ -114,7 +114,7 @@ static void so_has_one_with_all_that_there_is(void **state)
 
 /* The separation by the tracer: sky and objects outside, as seen from the point through
  * glass. */
-static void sky_and_outside_are_told_apart(void **state)
+static void sky_and_outside_are_separate_components(void **state)
 {
     (void)state;
     struct pp_outside_light light;
@@ -471,8 +471,8 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_deep_room_has_the_tracers_daylight_factors),
-        cmocka_unit_test(so_has_one_with_things_close_outside),
-        cmocka_unit_test(sky_and_outside_are_told_apart),
+        cmocka_unit_test(room_with_a_block_nearby_is_as_traced),
+        cmocka_unit_test(sky_and_outside_are_separate_components),
         cmocka_unit_test(windows_aimed_at_save_time_not_light),
         cmocka_unit_test(polished_planes_send_on_the_same_light_aimed_at_and_found),
         cmocka_unit_test(light_through_two_windows_falls_on_what_stands_outside),
@@ -485,8 +485,8 @@ TEST_FILE
     };
     add_tests(tests, NULL, NULL);
     const struct CMUnitTest long_tests[] = {
-        cmocka_unit_test(so_has_one_with_a_wall_right_before_its_window),
-        cmocka_unit_test(so_has_one_with_all_that_there_is),
+        cmocka_unit_test(room_with_a_wall_close_to_its_window_is_as_traced),
+        cmocka_unit_test(room_with_all_kinds_of_openings_is_as_traced),
     };
     add_long_tests(long_tests, NULL, NULL);
 }

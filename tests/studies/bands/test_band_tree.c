@@ -63,7 +63,7 @@ static struct pp_band_regime *grow(const struct made *made, int *count)
 /* The 2.5 % point of the normal distribution is at 1.96. Its estimate from n = 600
  * rooms has a standard error of sqrt(0.025 * 0.975 / n) divided by the density there,
  * 0.0584: 0.11. */
-static void two_kinds_of_rooms_are_told_apart_with_the_band_of_each(void **state)
+static void two_kinds_of_rooms_are_separated_with_the_band_of_each(void **state)
 {
     (void)state;
     struct made *made = make(41, false);
@@ -181,7 +181,7 @@ static void a_small_figure_has_a_band_of_so_much_more_or_less(void **state)
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(two_kinds_of_rooms_are_told_apart_with_the_band_of_each),
+        cmocka_unit_test(two_kinds_of_rooms_are_separated_with_the_band_of_each),
         cmocka_unit_test(rooms_that_err_alike_are_one_regime),
         cmocka_unit_test(a_band_holds_its_share_of_rooms_that_it_was_not_made_from),
         cmocka_unit_test(no_regime_has_fewer_rooms_than_the_rule_says),

@@ -137,7 +137,7 @@ static void a_point_that_does_not_face_up_has_no_band(void **state)
 
 /* Each of these rooms is reported with a reason that contains the word, and has no
  * band. */
-static void rooms_that_the_atlas_has_not_are_told_so(void **state)
+static void rooms_outside_the_atlas_have_a_reason_and_no_band(void **state)
 {
     (void)state;
     static const struct {
@@ -243,7 +243,7 @@ TEST_FILE
         cmocka_unit_test(a_band_is_the_table_s_quantiles_on_the_figure),
         cmocka_unit_test(the_rows_of_a_column_stand_together),
         cmocka_unit_test(a_point_that_does_not_face_up_has_no_band),
-        cmocka_unit_test(rooms_that_the_atlas_has_not_are_told_so),
+        cmocka_unit_test(rooms_outside_the_atlas_have_a_reason_and_no_band),
         cmocka_unit_test(a_dado_like_its_wall_leaves_the_bands),
         cmocka_unit_test(advice_is_the_method_of_the_narrowest_band),
     };

@@ -223,7 +223,7 @@ static void find_scale(const char *svg, double xy[4])
 /* 90 lx at 2 % require 4500 of the 10,000 lx at the end of the scale: the line is at
  * 0.45 of its length, to the last digit printed by cairo, and as high as the chart
  * area. */
-static void what_is_needed_is_marked_where_the_scale_says(void **state)
+static void required_illuminance_is_marked_at_its_place_on_the_scale(void **state)
 {
     (void)state;
     static const struct pp_working_hours hours = {8.0, 18.0, PP_ALL_DAYS};
@@ -257,7 +257,7 @@ static void what_is_needed_is_marked_where_the_scale_says(void **state)
 
 /* Eight periods and eight illuminances on every paper size in both orientations, drawn
  * twice; and without a room. */
-static void any_sheet_holds_it_and_its_bytes_are_the_same_again(void **state)
+static void the_chart_fits_any_sheet_and_is_reproducible(void **state)
 {
     (void)state;
     static const double lx[] = {10, 50, 100, 110, 120, 130, 140, 200},
@@ -333,8 +333,8 @@ TEST_FILE
         cmocka_unit_test(hours_are_counted_by_what_they_need),
         cmocka_unit_test(errors_of_daylight_factors_become_errors_of_hours),
         cmocka_unit_test(hours_without_data_are_refused),
-        cmocka_unit_test(what_is_needed_is_marked_where_the_scale_says),
-        cmocka_unit_test(any_sheet_holds_it_and_its_bytes_are_the_same_again),
+        cmocka_unit_test(required_illuminance_is_marked_at_its_place_on_the_scale),
+        cmocka_unit_test(the_chart_fits_any_sheet_and_is_reproducible),
         cmocka_unit_test(a_dark_room_has_its_chart),
     };
     add_tests(tests, NULL, NULL);

@@ -220,7 +220,7 @@ static void sheets_and_gaps_count_as_they_are_cut(void **state)
 }
 
 /* With a bridge over the gap, from 4 to 6 m, the section cuts the surface twice. */
-static void of_several_pieces_the_highest_counts(void **state)
+static void the_highest_of_several_pieces_counts(void **state)
 {
     (void)state;
     assert_near(angle_deg("<surface><vertex x=\"0\" y=\"-8\" z=\"0\"/>"
@@ -244,7 +244,7 @@ static void of_several_pieces_the_highest_counts(void **state)
 }
 
 /* 0.35350 behind 10 degrees, 0.30160 behind 20, 0.18329 behind 40. */
-static void four_fifths_of_the_former_sky_is_asked(void **state)
+static void four_fifths_of_the_former_sky_are_required(void **state)
 {
     (void)state;
     const struct pp_criterion *former = &pp_criterion_former_sky;
@@ -494,7 +494,7 @@ static void targets_are_illuminance_over_the_place_s_median(void **state)
     pp_world_destroy(world);
 }
 
-static void under_rooflights_nearly_all_of_the_plane_is_asked(void **state)
+static void rooflights_must_light_nearly_all_of_the_plane(void **state)
 {
     (void)state;
     struct pp_outside_light light;
@@ -516,7 +516,7 @@ static void under_rooflights_nearly_all_of_the_plane_is_asked(void **state)
 }
 
 /* Horizontal glass slopes by less than 15 degrees, a glazed roof by less than 75. */
-static void slopes_are_told_apart_at_15_and_75_degrees(void **state)
+static void slopes_change_category_at_15_and_75_degrees(void **state)
 {
     (void)state;
     struct pp_outside_light light;
@@ -550,7 +550,7 @@ static void a_fifth_lost_is_the_limit(void **state)
                    1e-3, PP_NOT_MET);
 }
 
-static void what_cannot_be_asked_is_not_judged(void **state)
+static void a_criterion_that_does_not_apply_has_no_verdict(void **state)
 {
     (void)state;
     const struct pp_criterion *provision = &pp_criterion_en17037;
@@ -672,8 +672,8 @@ TEST_FILE
         cmocka_unit_test(only_what_stands_in_the_section_counts),
         cmocka_unit_test(a_window_s_own_facade_is_no_obstruction),
         cmocka_unit_test(sheets_and_gaps_count_as_they_are_cut),
-        cmocka_unit_test(of_several_pieces_the_highest_counts),
-        cmocka_unit_test(four_fifths_of_the_former_sky_is_asked),
+        cmocka_unit_test(the_highest_of_several_pieces_counts),
+        cmocka_unit_test(four_fifths_of_the_former_sky_are_required),
         cmocka_unit_test(the_area_beyond_the_no_sky_line_is_the_back_of_the_room),
         cmocka_unit_test(what_the_line_cannot_tell_is_undecided),
         cmocka_unit_test(the_grumble_line_encloses_what_the_closed_form_does),
@@ -684,11 +684,11 @@ TEST_FILE
         cmocka_unit_test(other_rooms_have_no_limiting_depth),
         cmocka_unit_test(glazing_is_net_of_frames_for_one_code_and_not_for_the_other),
         cmocka_unit_test(targets_are_illuminance_over_the_place_s_median),
-        cmocka_unit_test(under_rooflights_nearly_all_of_the_plane_is_asked),
-        cmocka_unit_test(what_cannot_be_asked_is_not_judged),
+        cmocka_unit_test(rooflights_must_light_nearly_all_of_the_plane),
+        cmocka_unit_test(a_criterion_that_does_not_apply_has_no_verdict),
         cmocka_unit_test(traced_verdicts_are_right_as_often_as_they_say),
         cmocka_unit_test(every_criterion_has_a_name_of_its_own),
-        cmocka_unit_test(slopes_are_told_apart_at_15_and_75_degrees),
+        cmocka_unit_test(slopes_change_category_at_15_and_75_degrees),
         cmocka_unit_test(a_fifth_lost_is_the_limit),
     };
     add_tests(tests, NULL, NULL);

@@ -24,7 +24,7 @@ static void the_shorter_side_counts_in_long_rooms(void **state)
 }
 
 /* 14.1 x 14.1 m with 0.1 m has 19,881 cells, 14.2 x 14.2 m has 20,164. */
-static void a_grid_of_too_many_cells_has_no_points_and_says_so(void **state)
+static void a_grid_of_too_many_cells_has_no_points_and_a_reason(void **state)
 {
     (void)state;
     const struct pp_grid_choice choice = {.spacing_m = 0.1};
@@ -49,7 +49,7 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_spacing_grows_slower_than_the_room),
         cmocka_unit_test(the_shorter_side_counts_in_long_rooms),
-        cmocka_unit_test(a_grid_of_too_many_cells_has_no_points_and_says_so),
+        cmocka_unit_test(a_grid_of_too_many_cells_has_no_points_and_a_reason),
     };
     add_tests(tests, NULL, NULL);
 }

@@ -296,7 +296,7 @@ static void a_house_in_front_does_not_cover_the_windows_behind_it(void **state)
 
 /* Changes of obstructions: the shed is demolished, the tower is proposed, the mill is
  * unchanged. */
-static void what_goes_and_what_comes_is_told_apart(void **state)
+static void demolished_and_proposed_blocks_are_distinguished(void **state)
 {
     (void)state;
     struct made_sheet made;
@@ -332,7 +332,7 @@ TEST_FILE
         cmocka_unit_test(doors_of_outer_walls_stand_where_they_are),
         cmocka_unit_test(elevations_go_round_from_north),
         cmocka_unit_test(a_house_in_front_does_not_cover_the_windows_behind_it),
-        cmocka_unit_test(what_goes_and_what_comes_is_told_apart),
+        cmocka_unit_test(demolished_and_proposed_blocks_are_distinguished),
     };
     add_tests(tests, NULL, NULL);
 }

@@ -72,7 +72,7 @@ static void a_third_of_the_window_wanted_is_a_third(void **state)
 /* d/w + d/h must be at most 2 / (1 - R), where R is the mean reflectance of the rear
  * half of the room: floor and ceiling, 0.2 and 0.7, each 4.1 m by 2.85 m, and walls of
  * 0.5, 2.9 m high. */
-static void of_an_upper_bound_it_is_the_bound_over_the_figure(void **state)
+static void margin_of_an_upper_limit_is_the_limit_over_the_figure(void **state)
 {
     (void)state;
     char why[200];
@@ -85,7 +85,7 @@ static void of_an_upper_bound_it_is_the_bound_over_the_figure(void **state)
 }
 
 /* Bedroom, living room and kitchen: 1, 1.5 and 2 % of one average. */
-static void a_part_of_a_criterion_is_asked_for_by_its_words(void **state)
+static void a_requirement_of_a_criterion_is_selected_by_its_first_words(void **state)
 {
     (void)state;
     char why[200];
@@ -98,7 +98,7 @@ static void a_part_of_a_criterion_is_asked_for_by_its_words(void **state)
     tear_down();
 }
 
-static void what_has_no_bound_has_no_margin(void **state)
+static void a_figure_without_a_limit_has_no_margin(void **state)
 {
     (void)state;
     char why[200];
@@ -154,9 +154,9 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_third_of_the_window_wanted_is_a_third),
-        cmocka_unit_test(of_an_upper_bound_it_is_the_bound_over_the_figure),
-        cmocka_unit_test(a_part_of_a_criterion_is_asked_for_by_its_words),
-        cmocka_unit_test(what_has_no_bound_has_no_margin),
+        cmocka_unit_test(margin_of_an_upper_limit_is_the_limit_over_the_figure),
+        cmocka_unit_test(a_requirement_of_a_criterion_is_selected_by_its_first_words),
+        cmocka_unit_test(a_figure_without_a_limit_has_no_margin),
         cmocka_unit_test(a_criterion_that_there_is_not_is_refused),
         cmocka_unit_test(a_search_by_hand_is_watched),
     };

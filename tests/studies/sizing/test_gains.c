@@ -162,7 +162,7 @@ static void gains_relate_to_the_average_of_a_longer_simulation(void **state)
     assert_relative(gains.now.average, 1.1 * first.now.average, 1e-12);
 }
 
-static void what_is_as_good_as_can_be_is_no_gain(void **state)
+static void a_room_that_cannot_be_improved_has_no_gains(void **state)
 {
     (void)state;
     struct pp_gains gains;
@@ -179,7 +179,7 @@ static void what_is_as_good_as_can_be_is_no_gain(void **state)
 }
 
 /* Cleaning increases the average by as much as the dirt has reduced it. */
-static void a_gain_of_a_hundredth_is_told_and_one_of_a_thousandth_is_not(void **state)
+static void a_gain_of_a_hundredth_is_reported_but_not_one_of_a_thousandth(void **state)
 {
     (void)state;
     static const char *const clean[2] = {"0.99", "0.999"};
@@ -255,8 +255,8 @@ TEST_FILE
         cmocka_unit_test(each_gain_is_that_of_the_changed_file),
         cmocka_unit_test(the_largest_gain_comes_first),
         cmocka_unit_test(gains_relate_to_the_average_of_a_longer_simulation),
-        cmocka_unit_test(what_is_as_good_as_can_be_is_no_gain),
-        cmocka_unit_test(a_gain_of_a_hundredth_is_told_and_one_of_a_thousandth_is_not),
+        cmocka_unit_test(a_room_that_cannot_be_improved_has_no_gains),
+        cmocka_unit_test(a_gain_of_a_hundredth_is_reported_but_not_one_of_a_thousandth),
         cmocka_unit_test(where_bre_says_nothing_split_flux_does),
         cmocka_unit_test(a_room_without_openings_has_nothing_to_gain),
         cmocka_unit_test(simulated_gains_start_from_the_simulated_average),

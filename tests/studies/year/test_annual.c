@@ -313,7 +313,7 @@ static void dark_hours_count(void **state)
     pp_world_destroy(world);
 }
 
-static void it_is_the_same_with_any_number_of_threads(void **state)
+static void annual_results_do_not_depend_on_threads(void **state)
 {
     (void)state;
     struct pp_outside_light light;
@@ -355,7 +355,7 @@ TEST_FILE
         cmocka_unit_test(the_sun_is_seen_where_a_ray_reaches_it),
         cmocka_unit_test(dark_hours_count),
         cmocka_unit_test(a_block_of_points_has_at_most_64_rows),
-        cmocka_unit_test(it_is_the_same_with_any_number_of_threads),
+        cmocka_unit_test(annual_results_do_not_depend_on_threads),
     };
     add_tests(tests, NULL, NULL);
 }

@@ -51,7 +51,7 @@ static struct pp_epw *made_file(struct made_sky sky)
     return epw;
 }
 
-static void its_radiation_shows_where_its_sun_stands(void **state)
+static void radiation_of_a_weather_file_shows_its_sun_position(void **state)
 {
     (void)state;
     static const struct {
@@ -238,7 +238,7 @@ static void direct_light_alone_is_counted_and_dated(void **state)
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(its_radiation_shows_where_its_sun_stands),
+        cmocka_unit_test(radiation_of_a_weather_file_shows_its_sun_position),
         cmocka_unit_test(the_shift_found_is_used_unless_another_is_chosen),
         cmocka_unit_test(every_record_has_its_place),
         cmocka_unit_test(skies_turn_with_the_room),

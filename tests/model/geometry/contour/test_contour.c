@@ -329,7 +329,7 @@ static void a_hole_in_the_figure_is_kept_out(void **state)
     pp_region_clear(&region);
 }
 
-static void no_function_value_is_asked_for_twice_as_often_as_needed(void **state)
+static void function_values_are_not_evaluated_twice_as_often_as_needed(void **state)
 {
     (void)state;
     struct pp_region region = region_of(oblong, 4);
@@ -429,7 +429,7 @@ TEST_FILE
         cmocka_unit_test(the_curve_of_a_crease_turns_its_corner),
         cmocka_unit_test(what_lies_below_a_level_has_the_area_that_geometry_gives),
         cmocka_unit_test(a_hole_in_the_figure_is_kept_out),
-        cmocka_unit_test(no_function_value_is_asked_for_twice_as_often_as_needed),
+        cmocka_unit_test(function_values_are_not_evaluated_twice_as_often_as_needed),
         cmocka_unit_test(a_failure_of_the_function_is_handed_on),
     };
     add_tests(tests, NULL, NULL);

@@ -118,7 +118,7 @@ static void radiance_under_an_even_sky_sums_over_arriving_light(void **state)
     pp_measured_pane_release(pane);
 }
 
-static void panes_are_told_apart_by_their_light(void **state)
+static void panes_are_distinguished_by_their_light(void **state)
 {
     (void)state;
     static const struct {
@@ -191,7 +191,7 @@ TEST_FILE
         cmocka_unit_test(a_pane_can_be_opaque_at_normal_incidence),
         cmocka_unit_test(samples_have_the_density_that_they_state),
         cmocka_unit_test(radiance_under_an_even_sky_sums_over_arriving_light),
-        cmocka_unit_test(panes_are_told_apart_by_their_light),
+        cmocka_unit_test(panes_are_distinguished_by_their_light),
         cmocka_unit_test(a_written_pane_reads_back),
         cmocka_unit_test(no_ring_of_directions_goes_below_the_surface),
     };

@@ -155,7 +155,7 @@ static void a_point_may_have_its_own_height_and_face_any_way(void **state)
         0.0, 0.0, 1.0                                                                  \
     }
 
-static void a_place_is_refused_for_what_is_there(void **state)
+static void a_point_inside_an_object_is_rejected(void **state)
 {
     (void)state;
     struct pp_world *world = rectangle_with(
@@ -248,7 +248,7 @@ TEST_FILE
         cmocka_unit_test(a_tiny_room_is_measured_in_its_middle),
         cmocka_unit_test(a_line_has_points_at_both_its_ends),
         cmocka_unit_test(a_point_may_have_its_own_height_and_face_any_way),
-        cmocka_unit_test(a_place_is_refused_for_what_is_there),
+        cmocka_unit_test(a_point_inside_an_object_is_rejected),
     };
     add_tests(tests, NULL, NULL);
 }

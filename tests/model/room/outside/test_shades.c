@@ -96,7 +96,7 @@ static void a_shelf_goes_on_in_the_room(void **state)
 }
 
 /* On the east wall right is +y, seen from outside (facing west). */
-static void it_moves_with_its_window(void **state)
+static void an_overhang_moves_with_its_window(void **state)
 {
     (void)state;
     struct pp_building *building;
@@ -129,7 +129,7 @@ TEST_FILE
         cmocka_unit_test(fins_stand_beside_the_jambs),
         cmocka_unit_test(a_balcony_has_a_floor_and_three_parapets),
         cmocka_unit_test(a_shelf_goes_on_in_the_room),
-        cmocka_unit_test(it_moves_with_its_window),
+        cmocka_unit_test(an_overhang_moves_with_its_window),
     };
     add_tests(tests, NULL, NULL);
 }

@@ -385,7 +385,7 @@ static void a_file_cut_anywhere_is_refused_for_that_alone(void **state)
 }
 
 /* With any single byte changed, reading ends with a result. */
-static void any_byte_may_be_any_of_the_dangerous_ones(void **state)
+static void any_single_byte_may_be_replaced_by_a_dangerous_one(void **state)
 {
     (void)state;
     static const char dangerous[] = {'\0', '<', '>', '"', '&', '/', '=', '\n', '\xFF'};
@@ -401,7 +401,7 @@ static void any_byte_may_be_any_of_the_dangerous_ones(void **state)
 }
 
 /* An unreadable file is reported as such, not as a mistake in its contents. */
-static void what_is_no_file_is_said_to_be_none(void **state)
+static void an_unreadable_file_is_reported_as_such(void **state)
 {
     (void)state;
     struct pp_building *building;
@@ -429,8 +429,8 @@ TEST_FILE
         cmocka_unit_test(the_limit_of_size_is_exact),
         cmocka_unit_test(lines_beyond_65535_are_counted_rightly),
         cmocka_unit_test(a_file_cut_anywhere_is_refused_for_that_alone),
-        cmocka_unit_test(any_byte_may_be_any_of_the_dangerous_ones),
-        cmocka_unit_test(what_is_no_file_is_said_to_be_none),
+        cmocka_unit_test(any_single_byte_may_be_replaced_by_a_dangerous_one),
+        cmocka_unit_test(an_unreadable_file_is_reported_as_such),
         cmocka_unit_test(memory_stays_bounded),
     };
     add_tests(tests, NULL, NULL);

@@ -30,7 +30,7 @@ static void numbers_are_read_to_the_last_bit(void **state)
     }
 }
 
-static void what_is_no_number_leaves_the_value_alone(void **state)
+static void text_instead_of_a_number_leaves_the_value_unchanged(void **state)
 {
     (void)state;
     static const char *const texts[] = {
@@ -186,7 +186,7 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_are_read_to_the_last_bit),
-        cmocka_unit_test(what_is_no_number_leaves_the_value_alone),
+        cmocka_unit_test(text_instead_of_a_number_leaves_the_value_unchanged),
         cmocka_unit_test(numbers_have_a_point_in_every_locale),
         cmocka_unit_test(slips_of_the_keyboard_are_near),
         cmocka_unit_test(lists_read_as_people_write_them),

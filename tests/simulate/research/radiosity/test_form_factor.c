@@ -36,7 +36,7 @@ static void rectangles_overhead_are_as_in_the_textbook(void **state)
 }
 
 /* Two thirds of it are below the horizon and do not count. */
-static void what_is_below_the_horizon_is_cut_off(void **state)
+static void parts_below_the_horizon_are_cut_off(void **state)
 {
     (void)state;
     const struct pp_vec3 upright[4] = {
@@ -81,7 +81,7 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rectangles_overhead_are_as_in_the_textbook),
-        cmocka_unit_test(what_is_below_the_horizon_is_cut_off),
+        cmocka_unit_test(parts_below_the_horizon_are_cut_off),
         cmocka_unit_test(the_sides_of_a_box_are_all_there_is),
     };
     add_tests(tests, NULL, NULL);

@@ -8,7 +8,7 @@
 /* Asserts that daylight factors and their average differ by at most the stated error,
  * at most 2 %, and three standard errors; components by another 0.5 % of the daylight
  * factor. */
-static void both_agree(const char *xml)
+static void assert_engines_agree(const char *xml)
 {
     struct pp_outside_light light;
     struct pp_world *world = pp_test_lit_world(&light, xml);
@@ -40,43 +40,46 @@ static void both_agree(const char *xml)
 static void behind_deep_reveals_and_an_overhang(void **state)
 {
     (void)state;
-    both_agree(ROOM "<window wall='south' left='0.5' sill='0.8' width='2' height='1.5' "
-                    "reveal='0.4' glazing='clear-double' frame-factor='0.8'/>"
-                    "<surface><vertex x='-1' y='-1.2' z='2.6'/>"
-                    "<vertex x='4' y='-1.2' z='2.6'/><vertex x='4' y='0' z='2.6'/>"
-                    "<vertex x='-1' y='0' z='2.6'/></surface>" POINTS);
+    assert_engines_agree(
+        ROOM "<window wall='south' left='0.5' sill='0.8' width='2' height='1.5' "
+             "reveal='0.4' glazing='clear-double' frame-factor='0.8'/>"
+             "<surface><vertex x='-1' y='-1.2' z='2.6'/>"
+             "<vertex x='4' y='-1.2' z='2.6'/><vertex x='4' y='0' z='2.6'/>"
+             "<vertex x='-1' y='0' z='2.6'/></surface>" POINTS);
 }
 
 static void before_a_dark_dado_and_a_bright_door(void **state)
 {
     (void)state;
-    both_agree(ROOM "<finishes floor='0.1' walls='0.5' ceiling='0.6'/>"
-                    "<window wall='south' left='0.5' sill='0.8' width='2' height='1.5' "
-                    "reveal='0.4'/><dado height='1.1' reflectance='0.1'/>"
-                    "<door wall='north' left='1.8' reflectance='0.9'/>"
-                    "<point x='2.8' y='4.3'/>" POINTS);
+    assert_engines_agree(
+        ROOM "<finishes floor='0.1' walls='0.5' ceiling='0.6'/>"
+             "<window wall='south' left='0.5' sill='0.8' width='2' height='1.5' "
+             "reveal='0.4'/><dado height='1.1' reflectance='0.1'/>"
+             "<door wall='north' left='1.8' reflectance='0.9'/>"
+             "<point x='2.8' y='4.3'/>" POINTS);
 }
 
 static void past_a_partition(void **state)
 {
     (void)state;
-    both_agree(ROOM
-               "<window wall='south' left='0.5' sill='0.8' width='2' height='1.5'/>"
-               "<partition from='0 1.5' to='2 1.5' height='2'/>" POINTS);
+    assert_engines_agree(
+        ROOM "<window wall='south' left='0.5' sill='0.8' width='2' height='1.5'/>"
+             "<partition from='0 1.5' to='2 1.5' height='2'/>" POINTS);
 }
 
 static void through_a_pane_that_scatters(void **state)
 {
     (void)state;
-    both_agree(ROOM "<window wall='south' left='0.5' sill='0.8' width='2' height='1.5' "
-                    "glazing='opal-glass'/><block x='-4' y='-8' width='12' depth='3' "
-                    "height='7'/>" POINTS);
+    assert_engines_agree(
+        ROOM "<window wall='south' left='0.5' sill='0.8' width='2' height='1.5' "
+             "glazing='opal-glass'/><block x='-4' y='-8' width='12' depth='3' "
+             "height='7'/>" POINTS);
 }
 
 static void at_the_foot_of_a_court(void **state)
 {
     (void)state;
-    both_agree(
+    assert_engines_agree(
         ROOM "<window wall='south' left='0.5' sill='0.8' width='2' height='1.5' "
              "glazing='clear-single'/>"
              "<block x='-6' y='-9' width='15' depth='4' height='9' reflectance='0.5'/>"
@@ -105,7 +108,7 @@ static void behind_a_skyline_under_a_clear_sky(void **state)
                          "<skyline wall='east' angle='15'/>" POINTS;
     static const char one[] =
         ROOM CLEAR SOUTH "<skyline wall='south' angle='25'/>" POINTS;
-    both_agree(PP_SIZED(two, one, one));
+    assert_engines_agree(PP_SIZED(two, one, one));
 }
 
 TEST_FILE

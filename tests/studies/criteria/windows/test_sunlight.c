@@ -137,7 +137,7 @@ static void a_skyline_of_the_equinox_leaves_hardly_any_winter_sun(void **state)
 
 /* [BR209]: a value below 25 or 5 % is not a loss if 0.8 of the previous hours of year
  * and winter are left, or if the loss is at most 4 % of the year's hours. */
-static void what_is_kept_or_hardly_lost_is_no_failure(void **state)
+static void sunlight_kept_or_hardly_lost_is_no_failure(void **state)
 {
     (void)state;
     const char *deep = SITE(51.5) PLAN WINDOW("south") SKYLINE(39.3);
@@ -153,7 +153,7 @@ static void what_is_kept_or_hardly_lost_is_no_failure(void **state)
     assert_true(loss.now < loss.before - 0.04);
 }
 
-static void only_windows_towards_the_noon_sun_are_asked(void **state)
+static void only_windows_towards_the_noon_sun_are_assessed(void **state)
 {
     (void)state;
     assert_not_judged(sun(0, SITE(51.5) PLAN WINDOW("north"), NULL), "due south");
@@ -251,7 +251,7 @@ static void possible_hours_are_not_judged(void **state)
 }
 
 /* If the sun shines through several windows at the same time, the hours count once. */
-static void windows_add_up_only_what_is_not_the_same_sun(void **state)
+static void the_same_sun_through_two_windows_counts_once(void **state)
 {
     (void)state;
     double south = exposure(SITE(51.5) PLAN WINDOW("south"));
@@ -290,14 +290,14 @@ TEST_FILE
     static const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_open_south_wall_has_the_textbooks_hours),
         cmocka_unit_test(a_skyline_of_the_equinox_leaves_hardly_any_winter_sun),
-        cmocka_unit_test(what_is_kept_or_hardly_lost_is_no_failure),
-        cmocka_unit_test(only_windows_towards_the_noon_sun_are_asked),
+        cmocka_unit_test(sunlight_kept_or_hardly_lost_is_no_failure),
+        cmocka_unit_test(only_windows_towards_the_noon_sun_are_assessed),
         cmocka_unit_test(without_a_latitude_there_is_no_sun),
         cmocka_unit_test(poles_and_the_equator_have_their_hours),
         cmocka_unit_test(on_the_equinox_jambs_cut_the_sun),
         cmocka_unit_test(low_sun_decides_only_where_a_level_needs_it),
         cmocka_unit_test(possible_hours_are_not_judged),
-        cmocka_unit_test(windows_add_up_only_what_is_not_the_same_sun),
+        cmocka_unit_test(the_same_sun_through_two_windows_counts_once),
         cmocka_unit_test(
             a_skyline_with_a_distance_hides_the_sun_from_windows_of_other_walls),
     };

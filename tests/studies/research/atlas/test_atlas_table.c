@@ -62,7 +62,7 @@ static void a_room_that_is_still_being_written_is_left_out(void **state)
     }
 }
 
-static void what_is_no_number_is_named_with_its_line(void **state)
+static void text_instead_of_a_number_is_reported_with_its_line(void **state)
 {
     (void)state;
     static const struct {
@@ -92,7 +92,7 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_stand_under_their_names_and_an_empty_one_is_none),
         cmocka_unit_test(a_room_that_is_still_being_written_is_left_out),
-        cmocka_unit_test(what_is_no_number_is_named_with_its_line),
+        cmocka_unit_test(text_instead_of_a_number_is_reported_with_its_line),
     };
     add_tests(tests, NULL, NULL);
 }

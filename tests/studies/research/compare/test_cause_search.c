@@ -141,7 +141,7 @@ static void two_causes_that_interact_are_named(void **state)
 
 /* A pair is only identified when it is simulated together. If no more simulations are
  * allowed, the result reports this and judges the variants simulated. */
-static void what_was_not_traced_is_not_named(void **state)
+static void causes_not_simulated_are_not_named(void **state)
 {
     (void)state;
     static const int pair[] = {1, 2};
@@ -244,7 +244,7 @@ static void levels_of_a_kind_exclude_each_other(void **state)
     pp_cause_search_clear(&search);
 }
 
-static void noise_is_told_by_its_size_and_by_whether_neighbours_err_alike(void **state)
+static void noise_is_recognised_by_size_and_correlation_of_neighbours(void **state)
 {
     (void)state;
     double rays[POINTS], cache[POINTS];
@@ -310,13 +310,13 @@ TEST_FILE
         cmocka_unit_test(noise_alone_has_no_cause),
         cmocka_unit_test(one_cause_is_named_and_its_level),
         cmocka_unit_test(two_causes_that_interact_are_named),
-        cmocka_unit_test(what_was_not_traced_is_not_named),
+        cmocka_unit_test(causes_not_simulated_are_not_named),
         cmocka_unit_test(a_factor_of_any_size_is_found),
         cmocka_unit_test(a_value_between_those_that_are_traced_is_found),
         cmocka_unit_test(the_nearest_set_without_a_cause_is_known),
         cmocka_unit_test(what_looks_alike_is_listed_together),
         cmocka_unit_test(levels_of_a_kind_exclude_each_other),
-        cmocka_unit_test(noise_is_told_by_its_size_and_by_whether_neighbours_err_alike),
+        cmocka_unit_test(noise_is_recognised_by_size_and_correlation_of_neighbours),
         cmocka_unit_test(probabilities_are_of_one_whole),
         cmocka_unit_test(shares_are_averages_over_orders),
         cmocka_unit_test(shares_sum_up_to_what_all_do),

@@ -207,7 +207,7 @@ static void points_on_another_plane_are_there(void **state)
     assert_ratio(moved, exact, 1.0);
 }
 
-static void a_switch_that_is_none_is_refused_with_what_was_expected(void **state)
+static void an_unknown_switch_is_rejected_with_the_expected_ones(void **state)
 {
     (void)state;
     static const char *const wrong[][2] = {
@@ -264,7 +264,7 @@ TEST_FILE
         cmocka_unit_test(with_nothing_outside_all_sky_is_seen),
         cmocka_unit_test(a_uniform_sky_is_brighter_at_the_window),
         cmocka_unit_test(points_on_another_plane_are_there),
-        cmocka_unit_test(a_switch_that_is_none_is_refused_with_what_was_expected),
+        cmocka_unit_test(an_unknown_switch_is_rejected_with_the_expected_ones),
         cmocka_unit_test(a_preset_stands_for_its_words),
     };
     add_tests(tests, NULL, NULL);

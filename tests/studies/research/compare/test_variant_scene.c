@@ -95,7 +95,7 @@ static void glass_is_what_it_is_taken_for(void **state)
     assert_near(values[0] / through, twice / as_it_is, 0.01);
 }
 
-static void what_is_among_the_shapes_stays(void **state)
+static void parts_of_the_geometry_cannot_be_switched(void **state)
 {
     (void)state;
     static const char *const words[] = {"sky=uniform", "ground=0.2", "outside=none"};
@@ -124,7 +124,7 @@ TEST_FILE
         cmocka_unit_test(channels_are_summed_up_as_the_other_program_does),
         cmocka_unit_test(light_is_followed_so_far),
         cmocka_unit_test(glass_is_what_it_is_taken_for),
-        cmocka_unit_test(what_is_among_the_shapes_stays),
+        cmocka_unit_test(parts_of_the_geometry_cannot_be_switched),
     };
     add_tests(tests, NULL, NULL);
 }

@@ -150,7 +150,7 @@ static void the_sky_component_has_no_other_ground(void **state)
 /* In the world with the block and open ground only the externally reflected component
  * is required, since bre has a skyline in place of the block. This world is simulated
  * with direct light only, that of bre completely. */
-static void a_world_is_traced_for_what_is_asked_of_it(void **state)
+static void only_required_components_of_a_world_are_simulated(void **state)
 {
     (void)state;
     struct compared c;
@@ -433,7 +433,7 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(assumption_and_formula_make_the_whole),
         cmocka_unit_test(the_sky_component_has_no_other_ground),
-        cmocka_unit_test(a_world_is_traced_for_what_is_asked_of_it),
+        cmocka_unit_test(only_required_components_of_a_world_are_simulated),
         cmocka_unit_test(bre_in_the_world_that_it_was_made_for_assumes_nothing_wrong),
         cmocka_unit_test(a_ground_brighter_than_bre_has_it_is_a_negative_assumption),
         cmocka_unit_test(the_own_world_is_the_room_of_a_file_that_says_so),
