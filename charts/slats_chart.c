@@ -174,7 +174,8 @@ void pp_slats_chart_draw(struct pp_canvas *canvas, const struct pp_slat_sheet *s
     snprintf(subtitle, sizeof subtitle, "Light through a%s", words[0] ? words + 1 : "");
     const struct pp_page page = {
         sheet->title, subtitle,
-        "The slats are endless, without thickness, and reflect diffusely; glass is not "
+        "The slats are infinitely long, have no thickness, and reflect diffusely; "
+        "glass is not "
         "included. Straight light follows from the geometry of the slats, scattered "
         "light from a radiosity calculation with 24 strips on each side of a slat. The "
         "profile angle is the angle of the light in a section normal to the slats. The "

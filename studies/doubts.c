@@ -51,7 +51,7 @@ static void doubt_openings(struct pp_mistakes *doubts, const struct pp_world *wo
         if (world->within && !opening->is_nested)
             pp_mistakes_add(doubts, opening->line,
                             "%s has no counterpart in the coarse model; its light "
-                            "comes past the outside of that model",
+                            "comes from outside without passing that model",
                             opening->label);
         if (opening->frame_factor < PP_DOUBTS_FACTOR_LEAST)
             pp_mistakes_add(

@@ -248,8 +248,8 @@ static void print_groups(const struct text_page *page)
                              sheet->occupied_h);
         if (group->unmet_h > 0.0 && used > 0 && used < (int)sizeof text)
             snprintf(text + used, sizeof text - (size_t)used,
-                     ", still with direct sun of 1000 lx on more than 2 %% of the "
-                     "points in %.0f h",
+                     ", but in %.0f h more than 2 %% of the points still "
+                     "receive 1000 lx of direct sun",
                      group->unmet_h);
         print_annual_fact(page, g == 0 ? "window groups" : "", text);
     }

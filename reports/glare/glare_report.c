@@ -51,7 +51,7 @@ static void print_view_title(const struct pp_world_view *view, int number, FILE 
         pp_format_utf8_put(out, view->name);
     else
         fprintf(out, "%d", number);
-    fprintf(out, ": eye at (%g, %g, %g) m, looking to bearing %g\n", view->eye.x,
+    fprintf(out, ": eye at (%g, %g, %g) m, looking towards bearing %g\n", view->eye.x,
             view->eye.y, view->eye.z, view->bearing_rad / PP_RAD);
 }
 

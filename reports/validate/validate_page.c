@@ -232,7 +232,7 @@ static void put_reasons(const struct pp_known_cases *cases,
     int count;
     if (score->unjudged == 0)
         return;
-    fprintf(out, "<p>%d more have no verdict:</p>\n<ul>\n", score->unjudged);
+    fprintf(out, "<p>%d further results have no verdict:</p>\n<ul>\n", score->unjudged);
     for (int i = 0; (why = pp_known_case_reason(cases, i, &count)); i++) {
         fprintf(out, "<li>%d: ", count);
         pp_html_text(why, out);
@@ -247,7 +247,7 @@ static void put_verdict(const struct pp_known_result *result, FILE *out)
     int wrong = score.wrong + score.traced_wrong;
     fprintf(
         out,
-        "<p class=\"verdict%s\">%s: %d of %d answers are within their limits.</p>\n",
+        "<p class=\"verdict%s\">%s: %d of %d results are within their limits.</p>\n",
         score.passes ? "" : " bad", score.passes ? "Passed" : "Not passed",
         score.count + score.traced - wrong, score.count + score.traced);
     fputs("<p>Limits: ", out);
@@ -256,7 +256,7 @@ static void put_verdict(const struct pp_known_result *result, FILE *out)
     put_reasons(&result->cases, &score, out);
     if (score.traced == 0)
         return;
-    fprintf(out, "<p>%d answers are simulated; %d of them are outside their limits",
+    fprintf(out, "<p>%d results are simulated; %d of them are outside their limits",
             score.traced, score.traced_wrong);
     if (result->suite->chance > 0.0)
         fprintf(out, "; %.0f would be expected by chance",

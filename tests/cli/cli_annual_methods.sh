@@ -26,7 +26,7 @@ room=$scratch/room.xml
 annual="annual -q -w $scratch/year.epw --samples 16"
 
 check "all methods" shows "classes-scaled" $annual -m all "$room"
-check "with their assumptions" shows "own classes" $annual -m all "$room"
+check "with their assumptions" shows "classes of this program" $annual -m all "$room"
 check "one of them" shows "doe2 " $annual -m doe2 "$room"
 
 # lacks TEXT WORDS: the output does not contain this text.

@@ -34,7 +34,7 @@ glare="glare --samples 64"
 year="glare --samples 16 -w $scratch/year.epw"
 
 check "text" shows "DGP 0." $glare $sky "$room"
-check "a view by its name" shows "View desk: eye at (2, 3, 1.2) m, looking to bearing 180" \
+check "a view by its name" shows "View desk: eye at (2, 3, 1.2) m, looking towards bearing 180" \
     $glare $sky "$room"
 check "an opening by its name" shows "    Big " $glare $sky "$room"
 check "the threshold is said" shows "Sources have 2000 cd/m2" $glare $sky "$room"
@@ -43,7 +43,7 @@ check "away from the window" shows '"class": "imperceptible"' $glare $sky -f jso
 check "JSON" shows '"format": "pepperpot-glare-1"' $glare $sky -f json "$room"
 check "CSV" gives $glare $sky -f csv "$room"
 check "two views and a heading" test "$(wc -l <"$scratch/out")" -eq 3
-check "a view of the command line" shows "eye at (1, 2, 1.2) m, looking to bearing 90" \
+check "a view of the command line" shows "eye at (1, 2, 1.2) m, looking towards bearing 90" \
     $glare $sky --view 1,2,90 "$scratch/blind.xml"
 check "with a height" shows "eye at (1, 2, 1.7) m" $glare $sky --view 1,2,1.7,90 "$room"
 check "in an hour of the weather file" shows "2001-06-21 12:00" \

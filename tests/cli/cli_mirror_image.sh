@@ -45,7 +45,7 @@ check "a lower one does not" gives assess -c mirror-image --mirror-image=$line "
 check "all is met" nothing "$(grep 'not met' "$scratch/out")"
 check "JSON has both verdicts" shows '"mirror_image_verdict": "met"' \
     assess -c vsc,former-sky,mirror-image --table -f json --mirror-image=$line "$scratch/lower.xml"
-check "a sheet says what is wanted" shows "a mirror image of the building's own rooms," \
+check "a sheet names its target" shows "a mirror image of the building at the boundary" \
     assess -c mirror-image --mirror-image=$line --room Low "$scratch/terrace.xml"
 check "so does a report" sh -c "
     '$pepperpot' report --by-hand -q --for uk-planning --mirror-image=$line '$scratch/terrace.xml' \

@@ -64,7 +64,7 @@ check "the height of the working plane is the rule's" \
 check "and is stated" shows "working plane 0.72 m above the floor" \
     assess --for green-star --by-hand overcast.xml
 check "a strict bound is printed" shows "> 2 %" assess --for de-asr-a3.4 --by-hand overcast.xml
-check "points are those of the file" shows "least of 1 points, at 2.00, 3.00, 0.85 m" \
+check "points are those of the file" shows "lowest of 1 points, at 2.00, 3.00, 0.85 m" \
     assess --for de-asr-a3.4 --by-hand overcast.xml
 check "a table has them, too" shows "ASR A3.4" \
     assess --for de-asr-a3.4 --by-hand --table overcast.xml

@@ -12,7 +12,7 @@ fails_by() {
     [ $status -eq "$wanted" ] && [ -s "$scratch/out" ] && grep -q "$text" "$scratch/err" || told
 }
 
-check "what is known on paper is asked" shows "Comparison of the program with answers" validate
+check "results are compared with known ones" shows "Comparison of the program with results" validate
 check "and all of it is right" grep -qE '^  ([0-9]+) of \1 right' "$scratch/out"
 check "none is wrong" nothing "$(grep WRONG "$scratch/out")"
 check "the output is tidy in 80 columns" nothing "$(untidy)"

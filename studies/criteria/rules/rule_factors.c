@@ -82,7 +82,7 @@ static enum pp_status judge_point(const struct pp_rule *rule,
     if (status == PP_OK) {
         const struct pp_vec3 at = inquiry->points->receivers[least].position;
         pp_finding_note(&findings->list[findings->count - 1],
-                        "least of %d points, at %.2f, %.2f, %.2f m",
+                        "lowest of %d points, at %.2f, %.2f, %.2f m",
                         inquiry->points->receiver_count, at.x, at.y, at.z);
     }
     return status;

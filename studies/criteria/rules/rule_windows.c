@@ -116,7 +116,7 @@ static enum pp_status add_ratio(const struct pp_rule *rule,
     else if (isfinite(rule->obstruction_deg) && has_balconies(world)
              && finding.verdict == PP_MET) {
         finding.verdict = PP_UNDECIDED;
-        pp_finding_note(&finding, "; the floor is without the area below overhangs");
+        pp_finding_note(&finding, "; the floor area excludes the area below overhangs");
     }
     return pp_finding_list_add(findings, &finding, err);
 }

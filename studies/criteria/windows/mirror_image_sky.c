@@ -75,11 +75,10 @@ static enum pp_status assess_mirror_image_sky(const struct pp_inquiry *inquiry,
 {
     const struct pp_world *world = inquiry->world;
     enum pp_status status = PP_OK;
-    pp_finding_list_add_basis(
-        findings,
-        "target: the value if a mirror image of the building's own rooms, mirrored in "
-        "the boundary, stood in place of the proposal, with the same height and ground "
-        "level");
+    pp_finding_list_add_basis(findings,
+                              "target: the value with a mirror image of the building "
+                              "at the boundary in place "
+                              "of the proposal, with the same height and ground level");
     if (!world->placement.given) {
         struct pp_finding finding = pp_finding_not_judged(no_place, "windows");
         return pp_finding_list_add(findings, &finding, err);
@@ -94,7 +93,7 @@ const struct pp_criterion pp_criterion_mirror_image = {
     .name = "mirror-image",
     .title = "View of the sky compared with the building's mirror image",
     .source = "BR209",
-    .summary = "at least as much sky as if the building's mirror image stood opposite "
+    .summary = "at least as much sky as with the building's mirror image opposite "
                "(--mirror-image)",
     .needs_mirror_image = true,
     .bears_on_use = pp_bearing_needs_daylight,

@@ -32,8 +32,8 @@ static enum pp_status run_cie171(struct pp_known_cases *cases,
 
 const struct pp_suite pp_suite_quick = {
     .name = "quick",
-    .summary = "answers that can be worked out by hand",
-    .limits = "to the known digits of the expected answers; simulated answers: within "
+    .summary = "results that can be calculated by hand",
+    .limits = "to the known digits of the expected results; simulated results: within "
               "four standard errors",
     .samples = 512,
     .run = run_quick,
@@ -71,7 +71,7 @@ const struct pp_suite pp_suite_engines = {
 static const struct pp_suite analytic = {
     .name = "analytic",
     .summary = "closed forms, limits and configuration factors",
-    .limits = "to the known digits of the expected answers; simulated answers: within "
+    .limits = "to the known digits of the expected results; simulated results: within "
               "four standard errors",
     .samples = 512,
     .run = pp_closed_forms};
@@ -80,7 +80,7 @@ static const struct pp_suite published = {
     .name = "published",
     .summary = "worked examples, and printed tables cell by cell",
     .limits = "within the last printed digit and the known errors of a table; for "
-              "simulated answers, also within four standard errors",
+              "simulated results, also within four standard errors",
     .samples = 512,
     .run = run_published};
 

@@ -127,11 +127,9 @@ static void evaluate_adeline_mean(const struct pp_hand_case *of, const void *too
 }
 
 #define SUNNY                                                                          \
-    "hours are sunny with more than 120 W/m2 of direct normal irradiance. "            \
-    "Probability "                                                                     \
-    "of sunshine, position of the sun and external illuminances are means of the "     \
-    "same "                                                                            \
-    "month and time of day in the weather file. "
+    "hours with more than 120 W/m2 of direct normal irradiance are sunny. "            \
+    "Probability of sunshine, position of the sun and external illuminances are "      \
+    "means of the same month and time of day in the weather file. "
 
 const struct pp_year_method pp_year_method_adeline = {
     .name = "adeline",

@@ -154,7 +154,8 @@ static void evaluate_classes_scaled(const struct pp_hand_case *of, const void *t
 }
 
 #define OWN                                                                            \
-    "own classes, since the original limits were not available: 8 bins of clearness, " \
+    "classes of this program, since the original limits were not available: 8 bins "   \
+    "of clearness, "                                                                   \
     "cells of 15 degrees of altitude and azimuth of the sun. The sky of a class is "   \
     "that of the hour in its middle"
 

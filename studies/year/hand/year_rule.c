@@ -76,9 +76,10 @@ const struct pp_year_method pp_year_method_df_rule = {
         "daylight factor times diffuse illuminance and illuminance from the sun, "
         "with factors by orientation",
     .source = "ATLAS",
-    .assumptions = "own factors, fitted to daylight autonomies of 8 rooms in three "
-                   "climates at 34 to 42 degrees north; linear between the "
-                   "orientations, weighted by the area of the glass",
+    .assumptions =
+        "factors of this program, fitted to daylight autonomies of 8 rooms in three "
+        "climates at 34 to 42 degrees north; linear between the "
+        "orientations, weighted by the area of the glass",
     .formulae = formulae,
     .refuses = refuses_rule,
     .prepare = prepare_rule,
