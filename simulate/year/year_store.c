@@ -15,7 +15,7 @@ static const char magic[8] = {'P', 'P', 'D', 'C', 'O', 'E', 'F', 'F'};
 
 /* The version is raised whenever a calculation gives other coefficients. */
 enum {
-    VERSION = 2,
+    VERSION = 3,
     START = 8 + 4,
     NAME = 64,
     HEAD = 2 * 4 + NAME + 4 * 8 + 8 + 4 * 4 + 8 + 4 + 8

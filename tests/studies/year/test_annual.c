@@ -102,6 +102,93 @@ static void patches_and_cells_agree_with_the_plain_year(void **state)
     pp_world_destroy(world);
 }
 
+/* Sums of a mixed year at the points of a room by coefficients and by the plain way. */
+struct two_years {
+    struct pp_annual_sheet fast, plain;
+};
+
+static void make_two_years(struct two_years *years, const char *text, int plain_paths)
+{
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, text);
+    struct pp_test_year made;
+    pp_test_make_mixed_year(&made);
+    struct pp_annual_options options = pp_test_whole_day(256);
+    options.blinds = PP_BLINDS_NEVER;
+    pp_test_year_of(&years->fast, world, &light, &made, &options);
+    options.exact_sky = true;
+    options.samples = plain_paths;
+    pp_test_year_of(&years->plain, world, &light, &made, &options);
+    pp_world_destroy(world);
+}
+
+static void assert_same_years(const struct two_years *years, int point, double share)
+{
+    const struct pp_annual_figures *a = &years->fast.points[point],
+                                   *b = &years->plain.points[point];
+    assert_near(a->sky_lxh.value, b->sky_lxh.value,
+                3.0 * hypot(a->sky_lxh.std_error, b->sky_lxh.std_error)
+                    + share * b->sky_lxh.value);
+    assert_near(
+        a->sun_reflected_lxh.value, b->sun_reflected_lxh.value,
+        3.0 * hypot(a->sun_reflected_lxh.std_error, b->sun_reflected_lxh.std_error)
+            + share * b->sun_reflected_lxh.value);
+}
+
+/* A thin partition, square to the room or oblique, divides squares of the floor. Without
+ * pieces of their own on both sides, they led the sun's light through: 40 % too much. */
+static void no_light_passes_under_a_partition(void **state)
+{
+    (void)state;
+    static const char *const ends[2][2] = {{"3.05", "3.05"}, {"3.3", "2.6"}};
+    for (int i = 0; i < 2; i++) {
+        char text[1024];
+        snprintf(text, sizeof text,
+                 "<room version='1'><plan width='3.7' depth='5.6' height='2.8'/>"
+                 "<finishes floor='0.4' walls='0.6' ceiling='0.8'/>"
+                 "<window wall='south' left='0.5' sill='0.8' width='2.7' height='1.6' "
+                 "transmittance='0.7'/><surface reflectance='0.6'>"
+                 "<vertex x='0.9' y='%s' z='0'/><vertex x='3.7' y='%s' z='0'/>"
+                 "<vertex x='3.7' y='%s' z='2.8'/><vertex x='0.9' y='%s' z='2.8'/>"
+                 "</surface><working-plane height='0.8'/><point x='2.9' y='3.5'/>"
+                 "<point x='1.9' y='4.4'/></room>",
+                 ends[i][0], ends[i][1], ends[i][1], ends[i][0]);
+        struct two_years years;
+        make_two_years(&years, text, 2048);
+        for (int x = 0; x < 2; x++)
+            assert_same_years(&years, x, 0.02);
+        pp_annual_sheet_clear(&years.fast);
+        pp_annual_sheet_clear(&years.plain);
+    }
+}
+
+/* Places of a wall behind a door, and of a floor under a cupboard, are dark, but no light
+ * arrives there either. */
+static void covered_places_do_not_darken_a_cell(void **state)
+{
+    (void)state;
+    struct two_years years;
+    make_two_years(&years,
+                   "<room version='1'><plan width='3.7' depth='4.6' height='2.8'/>"
+                   "<finishes floor='0.4' walls='0.7' ceiling='0.8'/>"
+                   "<window wall='south' left='0.5' sill='0.8' width='2.7' "
+                   "height='1.6' transmittance='0.7'/>"
+                   "<door wall='north' left='1.3' width='0.9' height='2.07' "
+                   "reflectance='0.6'/>"
+                   "<door wall='east' left='1.3' width='0.9' height='2.07' "
+                   "reflectance='0.6'/>"
+                   "<column x='1.2' y='3.1' diameter='0.4'/>"
+                   "<furniture x='2.6' y='2.5' width='0.9' depth='0.6' height='1.3' "
+                   "reflectance='0.5'/>"
+                   "<working-plane height='0.8'/><point x='2.9' y='3.7'/>"
+                   "<point x='1.9' y='4.3'/></room>",
+                   1024);
+    for (int x = 0; x < 2; x++)
+        assert_same_years(&years, x, 0.01);
+    pp_annual_sheet_clear(&years.fast);
+    pp_annual_sheet_clear(&years.plain);
+}
+
 /* ---- the error of patches ---- */
 
 /* Patches represent a uniform sky exactly, but not a clear one; 145 patches have a
@@ -348,6 +435,8 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(under_a_uniform_sky_it_is_the_daylight_factor),
         cmocka_unit_test(patches_and_cells_agree_with_the_plain_year),
+        cmocka_unit_test(no_light_passes_under_a_partition),
+        cmocka_unit_test(covered_places_do_not_darken_a_cell),
         cmocka_unit_test(patches_err_under_uneven_skies_alone),
         cmocka_unit_test(a_turned_plan_has_the_same_year),
         cmocka_unit_test(opposite_windows_give_half_of_the_light_each),
