@@ -142,8 +142,9 @@ static struct pp_year_cell cell_of_piece(const struct pp_cell_piece *piece, int 
 }
 
 /* Adds the pieces of one square as cells of one side. */
-static enum pp_status add_square(struct pp_year_cells *cells, int part, int k,
-                                 const struct cutter_list *list, struct pp_error *err)
+static enum pp_status add_year_square(struct pp_year_cells *cells, int part, int k,
+                                      const struct cutter_list *list,
+                                      struct pp_error *err)
 {
     struct pp_year_part_cells *own = &cells->parts[part];
     struct pp_year_square *square = &own->squares[k];
@@ -188,7 +189,7 @@ static enum pp_status lay_out(struct pp_year_cells *cells, int index,
     enum pp_status status =
         part->squares ? find_cutters(list, cells, index, err) : pp_fail_memory(err);
     for (int k = 0; k < squares && status == PP_OK; k++)
-        status = add_square(cells, index, k, list, err);
+        status = add_year_square(cells, index, k, list, err);
     if (status != PP_OK)
         return status;
     part->first[has[0] ? 0 : 1] = first;
