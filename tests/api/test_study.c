@@ -120,7 +120,7 @@ static void a_hand_figure_is_the_integral_over_the_window(void **state)
 }
 
 /* The BRE formula is proportional to its transmittance of 0.85. */
-static void a_variant_of_a_formula_stands_beside_the_original(void **state)
+static void a_variant_of_a_formula_has_a_column_beside_the_original(void **state)
 {
     (void)state;
     struct opened opened = open_room(ROOM(OPENING POINT));
@@ -397,7 +397,7 @@ static void the_room_file_with_the_window_found_reaches_the_target(void **state)
     close_room(&opened);
 }
 
-static void lists_name_what_there_is(void **state)
+static void lists_name_the_available_items(void **state)
 {
     (void)state;
     static const struct {
@@ -424,7 +424,7 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_hand_figure_is_the_integral_over_the_window),
-        cmocka_unit_test(a_variant_of_a_formula_stands_beside_the_original),
+        cmocka_unit_test(a_variant_of_a_formula_has_a_column_beside_the_original),
         cmocka_unit_test(the_traced_sky_component_agrees_with_the_exact_one),
         cmocka_unit_test(a_seed_gives_the_same_bits_on_any_number_of_threads),
         cmocka_unit_test(photons_have_a_column_beside_traced_values),
@@ -435,7 +435,7 @@ TEST_FILE
         cmocka_unit_test(charts_are_files_of_their_format),
         cmocka_unit_test(judgements_rest_on_the_simulated_grid_where_it_is_there),
         cmocka_unit_test(the_room_file_with_the_window_found_reaches_the_target),
-        cmocka_unit_test(lists_name_what_there_is),
+        cmocka_unit_test(lists_name_the_available_items),
     };
     add_tests(tests, NULL, NULL);
 }

@@ -272,7 +272,7 @@ static void missing_values_have_a_reason(void **state)
     pp_world_destroy(world);
 }
 
-static void a_report_without_values_says_so_on_the_chart(void **state)
+static void a_report_without_values_has_a_note_on_the_chart(void **state)
 {
     (void)state;
     struct pp_outside_light light;
@@ -417,7 +417,7 @@ static void a_plan_is_to_the_scale_that_it_states(void **state)
     pp_world_destroy(world);
 }
 
-static void a_plan_without_contours_says_so(void **state)
+static void a_plan_without_contours_has_a_note(void **state)
 {
     (void)state;
     struct pp_outside_light light;
@@ -522,11 +522,11 @@ TEST_FILE
         cmocka_unit_test(a_slanting_line_is_a_line_too),
         cmocka_unit_test(one_point_is_drawn),
         cmocka_unit_test(missing_values_have_a_reason),
-        cmocka_unit_test(a_report_without_values_says_so_on_the_chart),
+        cmocka_unit_test(a_report_without_values_has_a_note_on_the_chart),
         cmocka_unit_test(zeros_infinities_and_extremes_are_drawn_without_a_fault),
         cmocka_unit_test(dozens_of_methods_get_a_legend),
         cmocka_unit_test(a_plan_is_to_the_scale_that_it_states),
-        cmocka_unit_test(a_plan_without_contours_says_so),
+        cmocka_unit_test(a_plan_without_contours_has_a_note),
         cmocka_unit_test(small_rooms_and_halls_find_a_usual_scale),
         cmocka_unit_test(ticks_are_round_and_cover_the_values),
         cmocka_unit_test(per_cent_have_the_digits_that_their_size_calls_for),

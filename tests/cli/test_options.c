@@ -104,7 +104,7 @@ static void operands_keep_their_order_between_options(void **state)
     assert_null(values.name);
 }
 
-static void help_is_given_whatever_stands_behind_it(void **state)
+static void help_is_given_with_any_further_arguments(void **state)
 {
     (void)state;
     struct words values;
@@ -224,7 +224,7 @@ static void points_add_up_and_may_leave_out_their_height(void **state)
     pp_room_options_clear(&options);
 }
 
-static void points_that_are_none_are_refused(void **state)
+static void invalid_points_are_rejected(void **state)
 {
     (void)state;
     const char *wrong[] = {"",        " ",     "1",   "1,",    ",1",
@@ -271,7 +271,7 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_value_stands_behind_an_equals_sign_or_is_the_next_word),
         cmocka_unit_test(operands_keep_their_order_between_options),
-        cmocka_unit_test(help_is_given_whatever_stands_behind_it),
+        cmocka_unit_test(help_is_given_with_any_further_arguments),
         cmocka_unit_test(an_unknown_option_suggests_the_nearest),
         cmocka_unit_test(switches_take_no_value_and_others_need_one),
         cmocka_unit_test(per_cent_become_fractions),
@@ -279,7 +279,7 @@ TEST_FILE
         cmocka_unit_test(times_have_their_units),
         cmocka_unit_test(counts_are_whole_and_in_range),
         cmocka_unit_test(points_add_up_and_may_leave_out_their_height),
-        cmocka_unit_test(points_that_are_none_are_refused),
+        cmocka_unit_test(invalid_points_are_rejected),
         cmocka_unit_test(a_simulation_without_an_end_stops_at_one_per_cent),
         cmocka_unit_test(limits_of_the_simulation_need_a_simulation),
     };

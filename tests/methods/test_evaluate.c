@@ -287,7 +287,7 @@ static void one_opening_that_is_not_covered_is_named_by_its_label(void **state)
     pp_world_destroy(world);
 }
 
-static void a_sky_that_is_not_covered_is_said_without_an_opening(void **state)
+static void an_uncovered_sky_is_reported_without_an_opening(void **state)
 {
     (void)state;
     struct pp_outside_light light;
@@ -559,7 +559,7 @@ TEST_FILE
         cmocka_unit_test(two_windows_give_what_each_gives_together),
         cmocka_unit_test(a_room_without_openings_is_dark),
         cmocka_unit_test(one_opening_that_is_not_covered_is_named_by_its_label),
-        cmocka_unit_test(a_sky_that_is_not_covered_is_said_without_an_opening),
+        cmocka_unit_test(an_uncovered_sky_is_reported_without_an_opening),
         cmocka_unit_test(a_receiver_that_is_not_covered_leaves_the_others),
         cmocka_unit_test(averages_agree_with_a_fine_sum_over_the_plane),
         cmocka_unit_test(a_rough_value_is_near_the_exact_one),

@@ -181,7 +181,7 @@ static void json_holds_per_cent_under_the_names_of_the_contract(void **state)
     free(text);
 }
 
-static void json_says_why_where_there_is_no_value(void **state)
+static void json_gives_a_reason_for_a_missing_value(void **state)
 {
     struct fixture *f = *state;
     char *text = printed(f, pp_df_json);
@@ -195,7 +195,7 @@ static void json_says_why_where_there_is_no_value(void **state)
     free(text);
 }
 
-static void json_says_unfinished_only_of_an_interrupted_run(void **state)
+static void json_reports_only_an_interrupted_run_as_unfinished(void **state)
 {
     struct fixture *f = *state;
     char *text = printed(f, pp_df_json);
@@ -319,8 +319,8 @@ TEST_FILE
 #define TEST(f) cmocka_unit_test_setup_teardown(f, set_up, tear_down)
     const struct CMUnitTest tests[] = {
         TEST(json_holds_per_cent_under_the_names_of_the_contract),
-        TEST(json_says_why_where_there_is_no_value),
-        TEST(json_says_unfinished_only_of_an_interrupted_run),
+        TEST(json_gives_a_reason_for_a_missing_value),
+        TEST(json_reports_only_an_interrupted_run_as_unfinished),
         TEST(json_of_a_building_is_an_array_even_of_one),
         TEST(json_of_bytes_that_are_no_text_is_still_json),
         TEST(csv_has_one_record_a_value_and_reads_back),

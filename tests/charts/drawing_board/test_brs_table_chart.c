@@ -67,7 +67,7 @@ static bool has_cross(const struct strokes *strokes, double x, double y)
 /* h/d 2.5 is midway between 2.4 (the eighth row; infinity is the first) and 2.6, w/d
  * 1.3 midway between 1.2 (the eleventh column) and 1.4. The cross is at the common
  * corner of these four cells, eight cells down and twelve across, headers included. */
-static void a_reading_stands_between_its_cells_in_proportion(void **state)
+static void a_reading_is_marked_between_its_cells_in_proportion(void **state)
 {
     (void)state;
     static const struct {
@@ -161,7 +161,7 @@ static void what_the_table_does_not_hold_is_refused(void **state)
 TEST_FILE
 {
     static const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_reading_stands_between_its_cells_in_proportion),
+        cmocka_unit_test(a_reading_is_marked_between_its_cells_in_proportion),
         cmocka_unit_test(the_readings_come_to_what_the_method_gives),
         cmocka_unit_test(what_the_table_does_not_hold_is_refused),
     };

@@ -281,7 +281,7 @@ static void a_failure_to_write_is_handed_on(void **state)
     pp_canvas_destroy(canvas);
 }
 
-static void a_drawing_gone_wrong_is_not_written(void **state)
+static void a_failed_drawing_is_not_written(void **state)
 {
     (void)state;
     struct pp_canvas *canvas = canvas_of(PP_CHART_SVG, PP_PAPER_A4, false);
@@ -470,7 +470,7 @@ TEST_FILE
         cmocka_unit_test(a_drawing_that_lacks_a_part_is_no_file),
         cmocka_unit_test(png_has_its_size_and_resolution),
         cmocka_unit_test(a_failure_to_write_is_handed_on),
-        cmocka_unit_test(a_drawing_gone_wrong_is_not_written),
+        cmocka_unit_test(a_failed_drawing_is_not_written),
         cmocka_unit_test(names_of_files_and_papers_are_understood_or_refused),
         cmocka_unit_test(only_pdf_has_several_sheets),
         cmocka_unit_test(a_placed_drawing_is_no_picture_of_pixels),

@@ -285,7 +285,7 @@ static void interrupt(int signal_number, int rooms_wanted, const char *name)
     free(file);
 }
 
-static void an_interrupted_run_gives_what_there_is_so_far(void **state)
+static void an_interrupted_run_gives_its_results_so_far(void **state)
 {
     (void)state;
     interrupt(SIGINT, 1, "deep-office.xml");
@@ -303,7 +303,7 @@ TEST_FILE
         cmocka_unit_test(the_deep_room_has_every_name_of_the_contract),
         cmocka_unit_test(a_building_is_an_array_of_its_rooms),
         cmocka_unit_test(several_files_are_an_array_with_their_names),
-        cmocka_unit_test(an_interrupted_run_gives_what_there_is_so_far),
+        cmocka_unit_test(an_interrupted_run_gives_its_results_so_far),
         cmocka_unit_test(a_terminated_run_of_a_building_keeps_all_its_rooms),
     };
     add_tests(tests, NULL, NULL);

@@ -348,7 +348,7 @@ static void hours_out_of_order_are_refused(void **state)
     assert_refused(&made, 10, "minute 30 (field 5) follows minute 30");
 }
 
-static void numbers_that_are_none_are_named(void **state)
+static void text_instead_of_numbers_is_named(void **state)
 {
     (void)state;
     static const struct {
@@ -470,7 +470,7 @@ static void bytes_that_are_no_text_are_rejected(void **state)
 }
 
 /* A file with only mistakes: a limited number is reported. */
-static void mistakes_are_said_up_to_some(void **state)
+static void mistakes_are_reported_up_to_a_limit(void **state)
 {
     (void)state;
     struct made_epw made;
@@ -490,7 +490,7 @@ static void mistakes_are_said_up_to_some(void **state)
     epw_end(&made);
 }
 
-static void a_file_that_is_not_there_is_named(void **state)
+static void a_missing_file_is_named(void **state)
 {
     (void)state;
     struct pp_mistakes mistakes;
@@ -520,12 +520,12 @@ TEST_FILE
         cmocka_unit_test(a_place_is_named_in_utf8),
         cmocka_unit_test(a_file_that_is_cut_off_is_refused),
         cmocka_unit_test(hours_out_of_order_are_refused),
-        cmocka_unit_test(numbers_that_are_none_are_named),
+        cmocka_unit_test(text_instead_of_numbers_is_named),
         cmocka_unit_test(times_that_are_none_are_named),
         cmocka_unit_test(header_lines_that_are_wrong_are_named),
         cmocka_unit_test(bytes_that_are_no_text_are_rejected),
-        cmocka_unit_test(mistakes_are_said_up_to_some),
-        cmocka_unit_test(a_file_that_is_not_there_is_named),
+        cmocka_unit_test(mistakes_are_reported_up_to_a_limit),
+        cmocka_unit_test(a_missing_file_is_named),
     };
     add_tests(tests, NULL, NULL);
 }

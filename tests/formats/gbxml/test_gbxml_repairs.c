@@ -429,7 +429,7 @@ static int count_words(const char *text, const char *word)
 }
 
 /* Two triangles in one loop become a shade with their common outline. */
-static void outlines_that_meet_themselves_are_taken_by_their_rim(void **state)
+static void self_touching_outlines_are_replaced_by_their_rim(void **state)
 {
     (void)state;
     struct made_gbxml file;
@@ -466,7 +466,7 @@ TEST_FILE
         cmocka_unit_test(overlaps_up_to_20_mm_are_trimmed),
         cmocka_unit_test(grid_and_working_plane_fit),
         cmocka_unit_test(far_models_are_moved),
-        cmocka_unit_test(outlines_that_meet_themselves_are_taken_by_their_rim),
+        cmocka_unit_test(self_touching_outlines_are_replaced_by_their_rim),
     };
     add_tests(tests, NULL, NULL);
 }

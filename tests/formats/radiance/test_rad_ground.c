@@ -67,7 +67,7 @@ static void an_open_ground_is_no_surface(void **state)
     pp_rad_room_clear(&room);
 }
 
-static void a_near_skyline_stands_on_the_ground(void **state)
+static void a_near_skyline_begins_at_the_ground(void **state)
 {
     (void)state;
     struct pp_rad_room room =
@@ -180,7 +180,7 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_ground_reaches_far_beyond_what_stands_on_it),
         cmocka_unit_test(an_open_ground_is_no_surface),
-        cmocka_unit_test(a_near_skyline_stands_on_the_ground),
+        cmocka_unit_test(a_near_skyline_begins_at_the_ground),
         cmocka_unit_test(ground_higher_than_the_floor_stays_out_of_the_room),
         cmocka_unit_test(ground_at_the_foot_of_a_wall_is_half_as_light),
     };

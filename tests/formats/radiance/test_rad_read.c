@@ -237,7 +237,7 @@ static void boxes_may_have_bevelled_and_round_edges(void **state)
 }
 
 /* Files within files, relative to the folder in which the program runs. */
-static void a_file_stands_in_a_file(void **state)
+static void a_file_includes_a_file(void **state)
 {
     (void)state;
     char inner[] = "/tmp/pp-inner-XXXXXX", text[300];
@@ -671,7 +671,7 @@ TEST_FILE
         cmocka_unit_test(transforms_move_from_left_to_right_and_arrays_copy),
         cmocka_unit_test(an_array_of_many_steps_ends_where_it_should),
         cmocka_unit_test(boxes_may_have_bevelled_and_round_edges),
-        cmocka_unit_test(a_file_stands_in_a_file),
+        cmocka_unit_test(a_file_includes_a_file),
         cmocka_unit_test(files_that_copies_read_without_end_are_refused),
         cmocka_unit_test(skies_are_those_of_gendaylit),
         cmocka_unit_test(a_written_perez_sky_turns_with_its_scene),

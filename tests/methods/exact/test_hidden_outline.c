@@ -48,7 +48,7 @@ static void an_endless_edge_sinks_with_the_cosine_of_the_bearing(void **state)
 
 /* A tower 4 m wide, 10 m in front of the middle of the window, extends to +-atan(2/10).
  * The front edge of its top is 12 m above the window. */
-static void a_tower_stands_between_the_bearings_of_its_corners(void **state)
+static void a_tower_extends_between_the_bearings_of_its_corners(void **state)
 {
     (void)state;
     struct pp_world *world = pp_test_world(
@@ -167,7 +167,7 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_endless_edge_sinks_with_the_cosine_of_the_bearing),
-        cmocka_unit_test(a_tower_stands_between_the_bearings_of_its_corners),
+        cmocka_unit_test(a_tower_extends_between_the_bearings_of_its_corners),
         cmocka_unit_test(a_screen_of_triangles_is_one_screen),
         cmocka_unit_test(sky_between_two_things_is_seen),
     };

@@ -198,7 +198,7 @@ static void without_light_outside_there_is_none_inside(void **state)
 
 /* In a room 1000 m deep no light is left 100 m from the window; at 2.1 m the light is
  * the same as in a much shorter room. */
-static void a_depth_without_end_takes_all_light(void **state)
+static void no_light_is_left_at_the_back_of_an_infinitely_deep_room(void **state)
 {
     (void)state;
     struct box_room endless, long_one;
@@ -344,7 +344,7 @@ TEST_FILE
         cmocka_unit_test(a_furnace_is_lit_alike_everywhere_by_its_energy_balance),
         cmocka_unit_test(a_dark_room_reflects_nothing),
         cmocka_unit_test(without_light_outside_there_is_none_inside),
-        cmocka_unit_test(a_depth_without_end_takes_all_light),
+        cmocka_unit_test(no_light_is_left_at_the_back_of_an_infinitely_deep_room),
         cmocka_unit_test(
             a_room_that_ends_where_the_light_starts_is_alike_at_all_depths),
         cmocka_unit_test(the_back_has_less_than_the_front_and_a_white_room_less_so),

@@ -109,7 +109,7 @@ static void another_wing_obstructs_from_outside(void **state)
     pp_world_destroy(world);
 }
 
-static void a_partition_inside_takes_light_and_gives_none(void **state)
+static void a_partition_inside_hides_light_and_emits_none(void **state)
 {
     (void)state;
     struct pp_outside_light bare_light;
@@ -548,7 +548,7 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(walls_of_an_l_shaped_room_hide_its_windows),
         cmocka_unit_test(another_wing_obstructs_from_outside),
-        cmocka_unit_test(a_partition_inside_takes_light_and_gives_none),
+        cmocka_unit_test(a_partition_inside_hides_light_and_emits_none),
         cmocka_unit_test(objects_out_of_the_way_change_nothing),
         cmocka_unit_test(a_block_against_the_window_covers_it),
         cmocka_unit_test(the_nearer_obstruction_counts),

@@ -149,7 +149,7 @@ static bool add(void *data, int worker, int index)
 
 /* Many short runs: a worker may wake up late, during a later run than the one it was
  * started for. */
-static void a_crew_works_again_and_again(void **state)
+static void a_thread_pool_runs_many_times(void **state)
 {
     (void)state;
     struct shared_sum shared = {0};
@@ -182,7 +182,7 @@ TEST_FILE
         cmocka_unit_test(an_empty_range_of_indices_is_no_work),
         cmocka_unit_test(work_that_stops_leaves_no_gap),
         cmocka_unit_test(two_members_work_at_the_same_time),
-        cmocka_unit_test(a_crew_works_again_and_again),
+        cmocka_unit_test(a_thread_pool_runs_many_times),
         cmocka_unit_test(without_a_number_it_has_the_processors),
     };
     add_tests(tests, NULL, NULL);

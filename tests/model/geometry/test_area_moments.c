@@ -32,7 +32,7 @@ static void a_triangles_centroid_is_the_mean_of_its_corners(void **state)
 
 /* A rectangle 3 m by 2 m with a hole of 1 m by 0.5 m in the opposite orientation: 5.5
  * m2, with centroids weighted by area. */
-static void a_hole_takes_its_part(void **state)
+static void a_hole_reduces_area_and_moments(void **state)
 {
     (void)state;
     static const double outer[4][2] = {{0.5, 1.0}, {3.5, 1.0}, {3.5, 3.0}, {0.5, 3.0}};
@@ -84,7 +84,7 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_triangles_centroid_is_the_mean_of_its_corners),
-        cmocka_unit_test(a_hole_takes_its_part),
+        cmocka_unit_test(a_hole_reduces_area_and_moments),
         cmocka_unit_test(above_the_horizon_the_upper_part_is_left),
         cmocka_unit_test(a_box_keeps_the_part_inside_it),
     };

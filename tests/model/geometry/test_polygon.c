@@ -147,7 +147,7 @@ static void walls_along_the_axes_enclose_points_too(void **state)
     }
 }
 
-static void on_an_edge_is_said_within_the_tolerance(void **state)
+static void points_within_the_tolerance_are_on_an_edge(void **state)
 {
     (void)state;
     assert_int_equal(pp_polygon_ring_side(ell, 6, 1.3, 2.2, 0.0), PP_ON_EDGE);
@@ -233,7 +233,7 @@ TEST_FILE
         cmocka_unit_test(area_and_normal_are_the_same_in_any_plane),
         cmocka_unit_test(a_point_lies_in_the_polygon_if_it_does_in_its_axes),
         cmocka_unit_test(walls_along_the_axes_enclose_points_too),
-        cmocka_unit_test(on_an_edge_is_said_within_the_tolerance),
+        cmocka_unit_test(points_within_the_tolerance_are_on_an_edge),
         cmocka_unit_test(polygons_cross_only_where_both_go_on),
     };
     add_tests(tests, NULL, NULL);

@@ -90,7 +90,7 @@ static void light_is_lost_to_roughness_but_never_gained(void **state)
     assert_near(grey_surface(3.0, 15.0, 1.0, 1e5, 0.0)->lost, 0.138, 3e-3);
 }
 
-static void light_takes_either_way(void **state)
+static void light_may_go_either_way(void **state)
 {
     (void)state;
     const struct pp_rough_surface *surface = grey_surface(0.05, 3.0, 1.0, 1e5, 0.0);
@@ -141,7 +141,7 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_white_furnace_gains_light),
         cmocka_unit_test(light_is_lost_to_roughness_but_never_gained),
-        cmocka_unit_test(light_takes_either_way),
+        cmocka_unit_test(light_may_go_either_way),
         cmocka_unit_test(a_surface_within_the_bound_is_as_published),
         cmocka_unit_test(channels_have_their_own_optics),
     };

@@ -56,7 +56,7 @@ static void without_a_sky_it_is_dark(void **state)
 
 /* The narrower of two sources in one direction is visible: a cap of 45 degrees, which
  * has half of the weight, and is three times as bright as the sky behind it. */
-static void a_bright_cap_stands_before_the_sky(void **state)
+static void a_bright_cap_is_in_front_of_the_sky(void **state)
 {
     (void)state;
     struct pp_scene_description scene;
@@ -109,7 +109,7 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(even_skies_give_pi_times_their_radiance),
         cmocka_unit_test(without_a_sky_it_is_dark),
-        cmocka_unit_test(a_bright_cap_stands_before_the_sky),
+        cmocka_unit_test(a_bright_cap_is_in_front_of_the_sky),
         cmocka_unit_test(skylines_take_nothing_of_the_open_ground),
     };
     add_tests(tests, NULL, NULL);

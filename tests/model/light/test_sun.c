@@ -70,7 +70,7 @@ static void at_the_equinox_noon_is_a_right_angle_less_the_latitude(void **state)
 }
 
 /* 23.44 degrees is the obliquity of this century. */
-static void at_the_solstices_it_stands_over_the_tropics(void **state)
+static void at_the_solstices_the_sun_is_above_the_tropics(void **state)
 {
     (void)state;
     assert_near(at_noon(6, 21, 0.9).declination_rad, 23.436 * PP_RAD, almanac);
@@ -150,7 +150,7 @@ TEST_FILE
         cmocka_unit_test(the_sun_agrees_with_a_far_longer_series),
         cmocka_unit_test(days_are_counted_from_noon_of_2000),
         cmocka_unit_test(at_the_equinox_noon_is_a_right_angle_less_the_latitude),
-        cmocka_unit_test(at_the_solstices_it_stands_over_the_tropics),
+        cmocka_unit_test(at_the_solstices_the_sun_is_above_the_tropics),
         cmocka_unit_test(noon_runs_before_and_behind_the_clock),
         cmocka_unit_test(the_sun_agrees_with_erfa_from_1950_to_2050),
         cmocka_unit_test(an_hour_is_fifteen_degrees),

@@ -286,7 +286,7 @@ static void float_maps_are_numbers_from_the_bottom_up(void **state)
     pp_picture_clear(&picture);
 }
 
-static void a_full_disk_is_said(void **state)
+static void a_full_disk_is_reported(void **state)
 {
     (void)state;
     struct pp_picture picture;
@@ -312,7 +312,7 @@ TEST_FILE
         cmocka_unit_test(files_that_are_no_pictures_are_rejected_by_line_or_row),
         cmocka_unit_test(a_file_that_is_cut_off_anywhere_is_refused),
         cmocka_unit_test(float_maps_are_numbers_from_the_bottom_up),
-        cmocka_unit_test(a_full_disk_is_said),
+        cmocka_unit_test(a_full_disk_is_reported),
     };
     add_tests(tests, NULL, NULL);
 }

@@ -69,7 +69,7 @@ static void walls_of_opposite_windows_go_on_to_all_sides(void **state)
 }
 
 /* A façade in the file is kept, even if it does not extend the wall. */
-static void a_wall_of_which_the_file_speaks_stays_as_it_is(void **state)
+static void a_wall_with_a_facade_in_the_file_is_not_changed(void **state)
 {
     (void)state;
     int added;
@@ -123,7 +123,7 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(walls_with_windows_go_on_but_not_round_a_corner),
         cmocka_unit_test(walls_of_opposite_windows_go_on_to_all_sides),
-        cmocka_unit_test(a_wall_of_which_the_file_speaks_stays_as_it_is),
+        cmocka_unit_test(a_wall_with_a_facade_in_the_file_is_not_changed),
         cmocka_unit_test(above_a_rooflight_there_is_no_house),
         cmocka_unit_test(beside_an_inner_corner_a_wall_ends),
     };

@@ -269,7 +269,7 @@ static void what_lies_flush_with_a_wall_is_set_off_it(void **state)
     pp_world_destroy(world);
 }
 
-static void loose_surfaces_know_whether_they_are_inside(void **state)
+static void free_surfaces_are_classified_as_inside_or_outside(void **state)
 {
     (void)state;
     /* A desk, a shelf that ends in the wall, and a canopy that begins there. */
@@ -365,7 +365,7 @@ TEST_FILE
         cmocka_unit_test(a_rooflight_lies_in_the_ceiling_at_its_place_in_plan),
         cmocka_unit_test(a_turned_block_s_sides_close_round_its_volume),
         cmocka_unit_test(what_lies_flush_with_a_wall_is_set_off_it),
-        cmocka_unit_test(loose_surfaces_know_whether_they_are_inside),
+        cmocka_unit_test(free_surfaces_are_classified_as_inside_or_outside),
         cmocka_unit_test(a_skyline_is_seen_from_the_middle_of_its_wall_s_windows),
         cmocka_unit_test(faces_have_the_finishes_inside_and_bare_walls_outside),
         cmocka_unit_test(openings_without_a_name_get_the_next_free_letter_and_number),

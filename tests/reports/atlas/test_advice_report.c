@@ -73,7 +73,7 @@ static void points_are_matched_by_position(void **state)
 /* 2.5 % at the first point, 0.5 % less at each of the next. */
 static double corrected[] = {0.025, 0.02, 0.015, 0.01, 0.005, 0.0};
 
-static void corrected_figures_stand_with_the_average_and_the_points(void **state)
+static void corrected_figures_are_beside_the_average_and_the_points(void **state)
 {
     (void)state;
     struct pp_advice_item items[] = {item_of("exact+bre", 1.25)};
@@ -102,7 +102,7 @@ static void corrected_figures_stand_with_the_average_and_the_points(void **state
 }
 
 /* The correction factor is the median of the true value divided by the figure. */
-static void a_bias_is_said_with_the_factor_that_takes_it_away(void **state)
+static void a_bias_is_reported_with_its_correction_factor(void **state)
 {
     (void)state;
     struct pp_advice_item items[] = {item_of("exact+bre", 1.25)};
@@ -122,7 +122,8 @@ static void a_bias_is_said_with_the_factor_that_takes_it_away(void **state)
     free(words);
 }
 
-static void formula_and_assumption_stand_apart_and_the_next_best_behind(void **state)
+static void formula_and_assumption_are_separate_and_followed_by_the_next_best(
+    void **state)
 {
     (void)state;
     struct pp_advice_item items[] = {item_of("exact+bre", 1.0)};
@@ -192,9 +193,10 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(points_are_matched_by_position),
-        cmocka_unit_test(corrected_figures_stand_with_the_average_and_the_points),
-        cmocka_unit_test(a_bias_is_said_with_the_factor_that_takes_it_away),
-        cmocka_unit_test(formula_and_assumption_stand_apart_and_the_next_best_behind),
+        cmocka_unit_test(corrected_figures_are_beside_the_average_and_the_points),
+        cmocka_unit_test(a_bias_is_reported_with_its_correction_factor),
+        cmocka_unit_test(
+            formula_and_assumption_are_separate_and_followed_by_the_next_best),
         cmocka_unit_test(where_there_is_none_it_says_why),
         cmocka_unit_test(json_has_low_middle_and_high_of_each_ratio),
     };

@@ -65,7 +65,7 @@ static void columns_stand_side_by_side_while_the_line_lasts(void **state)
           "  mean   12.30   1.25       -\n");
 }
 
-static void a_group_that_does_not_fit_goes_below_with_the_keys(void **state)
+static void a_group_that_does_not_fit_is_printed_below_with_the_keys(void **state)
 {
     (void)state;
     struct pp_table table = two_groups();
@@ -184,7 +184,7 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(columns_stand_side_by_side_while_the_line_lasts),
-        cmocka_unit_test(a_group_that_does_not_fit_goes_below_with_the_keys),
+        cmocka_unit_test(a_group_that_does_not_fit_is_printed_below_with_the_keys),
         cmocka_unit_test(titles_of_narrow_groups_keep_apart),
         cmocka_unit_test(a_group_too_wide_for_any_line_is_broken),
         cmocka_unit_test(keys_are_shortened_in_the_middle_until_the_table_fits),

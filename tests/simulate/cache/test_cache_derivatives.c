@@ -119,7 +119,7 @@ static void an_edge_changes_as_its_closed_form_does(void **state)
 /* The outline of the patch follows the edges of cells in steps: an error of about 1 %
  * with 128 x 128 cells. The outline cuts 180 of the 1,150 cells, which are counted or
  * not at random: 0.5 % of the irradiance (one standard error). */
-static void a_hemisphere_knows_how_a_patchs_light_changes(void **state)
+static void a_hemisphere_gives_the_gradient_of_a_patchs_light(void **state)
 {
     (void)state;
     static struct pp_cache_hemisphere_cell cells[SIDE * SIDE];
@@ -165,7 +165,7 @@ static void a_hemisphere_knows_how_a_patchs_light_changes(void **state)
 /* A screen on the floor, 1.1 m away and mostly to one side, extends to the horizon: its
  * lower edge is on the edge of the hemisphere. Lambert's formula includes it like any
  * other edge. The steps of the cells are as above. */
-static void a_hemisphere_knows_what_stands_on_its_horizon(void **state)
+static void a_hemisphere_includes_objects_on_its_horizon(void **state)
 {
     (void)state;
     static const struct pp_vec3 screen[4] = {
@@ -320,8 +320,8 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_edge_changes_as_its_closed_form_does),
-        cmocka_unit_test(a_hemisphere_knows_how_a_patchs_light_changes),
-        cmocka_unit_test(a_hemisphere_knows_what_stands_on_its_horizon),
+        cmocka_unit_test(a_hemisphere_gives_the_gradient_of_a_patchs_light),
+        cmocka_unit_test(a_hemisphere_includes_objects_on_its_horizon),
         cmocka_unit_test(a_record_is_read_by_a_leaning_surface),
         cmocka_unit_test(beside_a_record_the_error_is_of_second_order),
         cmocka_unit_test(an_ellipse_is_short_where_curvature_is_great),

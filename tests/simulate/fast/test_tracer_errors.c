@@ -272,7 +272,7 @@ static void another_seed_is_another_sample(void **state)
 
 /* ---- loop of the caller ---- */
 
-static void by_the_clock_errors_fall_for_as_long_as_one_likes(void **state)
+static void with_a_time_limit_errors_fall_with_each_batch(void **state)
 {
     (void)state;
     struct pp_outside_light light;
@@ -366,7 +366,7 @@ TEST_FILE
         cmocka_unit_test(rays_left_out_change_nothing),
         cmocka_unit_test(a_point_does_not_depend_on_the_others),
         cmocka_unit_test(another_seed_is_another_sample),
-        cmocka_unit_test(by_the_clock_errors_fall_for_as_long_as_one_likes),
+        cmocka_unit_test(with_a_time_limit_errors_fall_with_each_batch),
         cmocka_unit_test(options_out_of_range_are_refused),
         cmocka_unit_test(nothing_to_trace_is_done_at_once),
     };

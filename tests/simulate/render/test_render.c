@@ -502,7 +502,7 @@ static enum pp_status take_up(struct pp_render *render, const char *bytes, size_
     return status;
 }
 
-static void a_picture_taken_up_again_is_the_same(void **state)
+static void a_picture_continued_from_a_checkpoint_is_the_same(void **state)
 {
     (void)state;
     struct scene scene = scene_of(DEEP);
@@ -554,7 +554,7 @@ static void see_picture(struct pp_irradiance_cache *cache,
 
 /* A checkpoint contains the cache: it is not filled again, and the picture is
  * identical. */
-static void a_picture_through_a_cache_is_taken_up_with_it(void **state)
+static void a_picture_with_a_cache_continues_with_the_same_cache(void **state)
 {
     (void)state;
     struct scene scene = scene_of(DEEP);
@@ -600,7 +600,7 @@ static void a_picture_through_a_cache_is_taken_up_with_it(void **state)
     clear(&scene);
 }
 
-static void a_checkpoint_is_taken_whole_or_not_at_all(void **state)
+static void a_checkpoint_is_read_completely_or_not_at_all(void **state)
 {
     (void)state;
     struct scene scene = scene_of(DEEP);
@@ -672,9 +672,9 @@ TEST_FILE
         cmocka_unit_test(a_picture_does_not_depend_on_threads),
         cmocka_unit_test(what_stands_behind_a_framed_pane_is_in_the_cache),
         cmocka_unit_test(every_pixel_is_read_between_records),
-        cmocka_unit_test(a_picture_taken_up_again_is_the_same),
-        cmocka_unit_test(a_picture_through_a_cache_is_taken_up_with_it),
-        cmocka_unit_test(a_checkpoint_is_taken_whole_or_not_at_all),
+        cmocka_unit_test(a_picture_continued_from_a_checkpoint_is_the_same),
+        cmocka_unit_test(a_picture_with_a_cache_continues_with_the_same_cache),
+        cmocka_unit_test(a_checkpoint_is_read_completely_or_not_at_all),
         cmocka_unit_test(what_makes_no_picture_is_refused),
     };
     add_tests(tests, NULL, NULL);

@@ -27,7 +27,7 @@ static struct pp_vec3 towards(double tilt_deg, double azimuth_deg)
 
 /* A brushed gloss in world coordinates does not depend on the axes used for its
  * table. */
-static void a_gloss_lies_along_its_grain(void **state)
+static void a_gloss_follows_its_grain(void **state)
 {
     (void)state;
     struct pp_material metal = pp_material_metal(pp_rgb(0.8, 0.7, 0.5), 1.0, 0.05, 0.2);
@@ -72,7 +72,7 @@ static void a_smooth_gloss_is_a_mirror(void **state)
 
 /* Clear glass absorbs the light that it neither reflects nor transmits; a lossless pane
  * absorbs nothing. A frame and dirt absorb their shares. */
-static void glass_shares_light_out_as_its_law_says(void **state)
+static void glass_divides_light_by_its_law(void **state)
 {
     (void)state;
     struct pp_material pane = pp_material_pane(pp_rgb(1.0, 0.9, 0.5), 1.52);
@@ -132,9 +132,9 @@ static void translucent_panels_share_light_out_as_radiance_does(void **state)
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_gloss_lies_along_its_grain),
+        cmocka_unit_test(a_gloss_follows_its_grain),
         cmocka_unit_test(a_smooth_gloss_is_a_mirror),
-        cmocka_unit_test(glass_shares_light_out_as_its_law_says),
+        cmocka_unit_test(glass_divides_light_by_its_law),
         cmocka_unit_test(translucent_panels_share_light_out_as_radiance_does),
     };
     add_tests(tests, NULL, NULL);

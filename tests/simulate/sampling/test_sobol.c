@@ -129,7 +129,7 @@ static void vertices_of_a_path_do_not_follow_each_other(void **state)
 
 /* Owen scrambling keeps shared leading digits equal and separates the following
  * digits. */
-static void digits_hang_on_the_digits_before_them_only(void **state)
+static void digits_depend_only_on_the_digits_before_them(void **state)
 {
     (void)state;
     for (uint32_t trial = 0; trial < 1000; trial++) {
@@ -244,7 +244,7 @@ TEST_FILE
         cmocka_unit_test(direction_numbers_are_the_printed_ones),
         cmocka_unit_test(one_point_is_uniform_over_the_scrambles),
         cmocka_unit_test(vertices_of_a_path_do_not_follow_each_other),
-        cmocka_unit_test(digits_hang_on_the_digits_before_them_only),
+        cmocka_unit_test(digits_depend_only_on_the_digits_before_them),
         cmocka_unit_test(a_run_has_the_points_of_the_sequence),
         cmocka_unit_test(a_run_of_the_lobe_has_its_directions),
         cmocka_unit_test(small_sine_and_cosine_are_the_library_s),

@@ -131,7 +131,7 @@ static void straight_up_lie_ceiling_and_rooflight(void **state)
 /* By planes alone: a ray that passes the mouth of a niche 0.4 m deep meets the pane
  * behind it, or one of its sides. Rays that meet a niche of another shape, and all rays
  * that start in a niche, use the general ray tracer. */
-static void behind_the_mouth_of_a_niche_stand_its_pane_and_its_sides(void **state)
+static void behind_the_mouth_of_a_niche_are_its_pane_and_its_sides(void **state)
 {
     (void)state;
     enum { KERNELS = -1, WALL, PANE, SIDE };
@@ -307,7 +307,7 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rays_meet_what_the_kernels_say),
         cmocka_unit_test(straight_up_lie_ceiling_and_rooflight),
-        cmocka_unit_test(behind_the_mouth_of_a_niche_stand_its_pane_and_its_sides),
+        cmocka_unit_test(behind_the_mouth_of_a_niche_are_its_pane_and_its_sides),
         cmocka_unit_test(a_niche_is_not_enclosed_by_the_room),
         cmocka_unit_test(rays_of_a_run_meet_what_each_meets_alone),
         cmocka_unit_test(a_room_with_a_corner_or_a_table_is_left_to_the_kernels),

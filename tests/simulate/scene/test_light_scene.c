@@ -302,7 +302,7 @@ static void a_room_is_met_by_its_surfaces_names(void **state)
 }
 
 /* Named finishes have a gloss; hand methods use their total reflectance. */
-static void a_named_finish_brings_its_gloss(void **state)
+static void a_named_finish_has_its_gloss(void **state)
 {
     (void)state;
     struct pp_world *world = pp_test_world(ROOM "</room>");
@@ -412,7 +412,7 @@ TEST_FILE
         cmocka_unit_test(what_makes_no_sense_is_refused),
         cmocka_unit_test(an_empty_scene_is_met_nowhere),
         cmocka_unit_test(a_room_is_met_by_its_surfaces_names),
-        cmocka_unit_test(a_named_finish_brings_its_gloss),
+        cmocka_unit_test(a_named_finish_has_its_gloss),
         cmocka_unit_test(the_hash_hangs_on_all_that_light_meets),
         cmocka_unit_test(glass_is_its_law_with_and_without_a_curve),
     };

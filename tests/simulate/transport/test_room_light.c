@@ -238,7 +238,7 @@ static void polished_planes_send_on_the_same_light_aimed_at_and_found(void **sta
 /* Part of a wall in front of one window receives light through the room and its other
  * window. From this wall windows are not sampled directly, so light found through both
  * windows counts. */
-static void light_through_two_windows_falls_on_what_stands_outside(void **state)
+static void light_through_two_windows_falls_on_objects_outside(void **state)
 {
     (void)state;
     struct pp_outside_light light;
@@ -475,7 +475,7 @@ TEST_FILE
         cmocka_unit_test(sky_and_outside_are_separate_components),
         cmocka_unit_test(windows_aimed_at_save_time_not_light),
         cmocka_unit_test(polished_planes_send_on_the_same_light_aimed_at_and_found),
-        cmocka_unit_test(light_through_two_windows_falls_on_what_stands_outside),
+        cmocka_unit_test(light_through_two_windows_falls_on_objects_outside),
         cmocka_unit_test(a_room_in_equilibrium_shows_one_everywhere),
         cmocka_unit_test(no_light_leaks_in_by_the_edges),
         cmocka_unit_test(light_goes_on_from_the_edges),

@@ -71,7 +71,7 @@ static void the_table_goes_by_nation(void **state)
 }
 
 /* North of Reykjavik, the nearest capital. */
-static void a_capital_speaks_for_a_thousand_kilometres(void **state)
+static void a_capital_is_used_up_to_a_thousand_kilometres_away(void **state)
 {
     (void)state;
     const struct pp_capital *capital = pp_capitals_find("Reykjavik");
@@ -82,7 +82,7 @@ static void a_capital_speaks_for_a_thousand_kilometres(void **state)
     assert_true(isnan(at(far, capital->longitude_deg).lux));
 }
 
-static void far_from_all_of_them_nothing_is_said(void **state)
+static void no_suggestion_is_made_far_from_all_names(void **state)
 {
     (void)state;
     static const struct {
@@ -111,8 +111,8 @@ TEST_FILE
         cmocka_unit_test(illuminances_agree_with_the_printed_targets),
         cmocka_unit_test(nearness_goes_by_the_great_circle),
         cmocka_unit_test(the_table_goes_by_nation),
-        cmocka_unit_test(far_from_all_of_them_nothing_is_said),
-        cmocka_unit_test(a_capital_speaks_for_a_thousand_kilometres),
+        cmocka_unit_test(no_suggestion_is_made_far_from_all_names),
+        cmocka_unit_test(a_capital_is_used_up_to_a_thousand_kilometres_away),
     };
     add_tests(tests, NULL, NULL);
 }

@@ -168,7 +168,7 @@ static void a_skyline_typed_as_25_degrees_is_25_degrees_whatever_the_reveal(
 }
 
 /* The window's middle is at x = 2, z = 1.6 in the wall y = 0. */
-static void only_what_stands_in_the_section_counts(void **state)
+static void only_obstructions_in_the_section_count(void **state)
 {
     (void)state;
     assert_near(angle_deg(""), 0.0, 0.0);
@@ -669,7 +669,7 @@ TEST_FILE
         cmocka_unit_test(rooflights_have_no_vertical_sky),
         cmocka_unit_test(
             a_skyline_typed_as_25_degrees_is_25_degrees_whatever_the_reveal),
-        cmocka_unit_test(only_what_stands_in_the_section_counts),
+        cmocka_unit_test(only_obstructions_in_the_section_count),
         cmocka_unit_test(a_window_s_own_facade_is_no_obstruction),
         cmocka_unit_test(sheets_and_gaps_count_as_they_are_cut),
         cmocka_unit_test(the_highest_of_several_pieces_counts),

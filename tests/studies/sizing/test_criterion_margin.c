@@ -112,7 +112,7 @@ static void a_figure_without_a_limit_has_no_margin(void **state)
     tear_down();
 }
 
-static void a_criterion_that_there_is_not_is_refused(void **state)
+static void an_unknown_criterion_is_rejected(void **state)
 {
     (void)state;
     struct pp_error err;
@@ -157,7 +157,7 @@ TEST_FILE
         cmocka_unit_test(margin_of_an_upper_limit_is_the_limit_over_the_figure),
         cmocka_unit_test(a_requirement_of_a_criterion_is_selected_by_its_first_words),
         cmocka_unit_test(a_figure_without_a_limit_has_no_margin),
-        cmocka_unit_test(a_criterion_that_there_is_not_is_refused),
+        cmocka_unit_test(an_unknown_criterion_is_rejected),
         cmocka_unit_test(a_search_by_hand_is_watched),
     };
     add_tests(tests, NULL, NULL);

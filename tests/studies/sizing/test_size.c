@@ -612,7 +612,7 @@ static void counting_methods_have_the_smallest_window_that_is_not_below(void **s
     pp_building_destroy(building);
 }
 
-static void a_method_that_does_not_speak_of_the_room_says_why(void **state)
+static void a_method_without_value_for_the_room_gives_a_reason(void **state)
 {
     (void)state;
     struct pp_building *building =
@@ -658,7 +658,7 @@ TEST_FILE
         cmocka_unit_test(each_size_can_be_and_lies_within_the_next),
         cmocka_unit_test(continuous_methods_reach_the_target_within_half_a_per_cent),
         cmocka_unit_test(counting_methods_have_the_smallest_window_that_is_not_below),
-        cmocka_unit_test(a_method_that_does_not_speak_of_the_room_says_why),
+        cmocka_unit_test(a_method_without_value_for_the_room_gives_a_reason),
     };
     add_tests(tests, NULL, NULL);
 }

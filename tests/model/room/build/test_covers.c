@@ -32,7 +32,7 @@ static double area_of(const struct pp_world *world, int *count)
 
 /* On the floor, 0.4 m from the left end of the north wall seen from outside, which is
  * its east end. */
-static void a_door_stands_where_a_window_would(void **state)
+static void a_door_is_placed_like_a_window(void **state)
 {
     (void)state;
     int count;
@@ -190,7 +190,7 @@ static void no_point_lies_behind_a_dado(void **state)
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_door_stands_where_a_window_would),
+        cmocka_unit_test(a_door_is_placed_like_a_window),
         cmocka_unit_test(a_mean_reflectance_has_the_door_in_its_walls_place),
         cmocka_unit_test(a_dado_leaves_out_windows_and_doors),
         cmocka_unit_test(a_dado_round_windows_is_cut_into_pieces_without_holes),

@@ -29,7 +29,7 @@ static double area_of(const struct pp_world *world)
 
 /* A desk of 1.6 x 0.8 x 0.75 m, rotated: four sides and a top. Its base on the floor is
  * not a surface; on legs of 0.1 m the underside is one. The sides face outwards. */
-static void furniture_is_a_box_without_what_stands_on_the_floor(void **state)
+static void furniture_is_a_box_without_its_base_on_the_floor(void **state)
 {
     (void)state;
     struct pp_world *world = pp_test_world(
@@ -132,7 +132,7 @@ static void what_stands_in_a_room_is_all_inside(void **state)
 
 /* Points inside a wardrobe, a round column or a partition, or on the floor below them,
  * are rejected; points above a desk are accepted. */
-static void no_light_is_measured_within_what_stands_in_a_room(void **state)
+static void no_receiver_is_inside_an_object_in_a_room(void **state)
 {
     (void)state;
     const char *within = "lies inside furniture";
@@ -152,7 +152,7 @@ static void no_light_is_measured_within_what_stands_in_a_room(void **state)
 }
 
 /* The centres of two of the nine cells of 1.7 by 1.3 m are inside. */
-static void grids_leave_out_what_stands_in_a_room(void **state)
+static void grids_leave_out_points_inside_objects(void **state)
 {
     (void)state;
     const char *grid = "<grid spacing='1.7' margin='0.5'/></room>";
@@ -172,12 +172,12 @@ static void grids_leave_out_what_stands_in_a_room(void **state)
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(furniture_is_a_box_without_what_stands_on_the_floor),
+        cmocka_unit_test(furniture_is_a_box_without_its_base_on_the_floor),
         cmocka_unit_test(columns_reach_the_ceiling_and_keep_their_area),
         cmocka_unit_test(a_partition_hides_the_sky_behind_it),
         cmocka_unit_test(what_stands_in_a_room_is_all_inside),
-        cmocka_unit_test(no_light_is_measured_within_what_stands_in_a_room),
-        cmocka_unit_test(grids_leave_out_what_stands_in_a_room),
+        cmocka_unit_test(no_receiver_is_inside_an_object_in_a_room),
+        cmocka_unit_test(grids_leave_out_points_inside_objects),
     };
     add_tests(tests, NULL, NULL);
 }

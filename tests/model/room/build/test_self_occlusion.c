@@ -31,7 +31,7 @@ static void nothing_hides_the_windows_of_an_empty_box(void **state)
     pp_world_destroy(world);
 }
 
-static void only_what_stands_free_makes_a_room_less_empty(void **state)
+static void only_free_standing_objects_make_a_room_less_empty(void **state)
 {
     (void)state;
     static const struct {
@@ -115,7 +115,7 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nothing_hides_the_windows_of_an_empty_box),
-        cmocka_unit_test(only_what_stands_free_makes_a_room_less_empty),
+        cmocka_unit_test(only_free_standing_objects_make_a_room_less_empty),
         cmocka_unit_test(a_wing_hides_on_the_side_on_which_it_lies),
         cmocka_unit_test(a_view_is_that_of_all_faces_held_before_it),
     };

@@ -188,7 +188,7 @@ static int add_box(char *xml, size_t space, const double a[3], const double b[3]
 
 /* A pillar that does not reach the ceiling is part of a room; a second, separate room
  * is not. */
-static void an_envelope_is_one_room_and_what_stands_in_it(void **state)
+static void an_envelope_is_one_room_with_the_objects_in_it(void **state)
 {
     (void)state;
     static const double room[2][3] = {{0, 0, 0}, {5, 4, 3}};
@@ -296,7 +296,7 @@ TEST_FILE
         cmocka_unit_test(a_reveal_may_not_reach_into_the_other_wing),
         cmocka_unit_test(a_block_keeps_clear_of_the_glass),
         cmocka_unit_test(a_skyline_keeps_clear_of_the_room),
-        cmocka_unit_test(an_envelope_is_one_room_and_what_stands_in_it),
+        cmocka_unit_test(an_envelope_is_one_room_with_the_objects_in_it),
         cmocka_unit_test(faces_meet_in_their_edges_only),
         cmocka_unit_test(far_too_many_parts_are_refused_at_once),
     };

@@ -120,7 +120,7 @@ static void a_room_shades_as_a_block_of_its_size(void **state)
     assert_true(by_room < component_alone(ROOM) - 1e-3);
 }
 
-static void a_room_that_is_not_placed_stands_by_itself(void **state)
+static void a_room_without_position_has_no_neighbours(void **state)
 {
     (void)state;
     double alone = component_in("<room>" ROOM "</room><room x='-0.7' y='-14.4'>" ROOM
@@ -188,7 +188,7 @@ static void the_cumulative_state_has_the_proposal_and_more(void **state)
     pp_building_destroy(building);
 }
 
-static void a_skyline_of_the_site_stands_before_walls_of_that_name(void **state)
+static void a_skyline_of_the_site_is_in_front_of_walls_of_that_name(void **state)
 {
     (void)state;
     struct pp_building *building =
@@ -268,10 +268,10 @@ TEST_FILE
         cmocka_unit_test(a_placed_room_has_the_site_in_its_own_axes),
         cmocka_unit_test(a_room_is_turned_with_its_bearing),
         cmocka_unit_test(a_room_shades_as_a_block_of_its_size),
-        cmocka_unit_test(a_room_that_is_not_placed_stands_by_itself),
+        cmocka_unit_test(a_room_without_position_has_no_neighbours),
         cmocka_unit_test(each_state_has_its_own_site),
         cmocka_unit_test(the_cumulative_state_has_the_proposal_and_more),
-        cmocka_unit_test(a_skyline_of_the_site_stands_before_walls_of_that_name),
+        cmocka_unit_test(a_skyline_of_the_site_is_in_front_of_walls_of_that_name),
         cmocka_unit_test(a_wall_before_another_room_is_an_inner_one),
         cmocka_unit_test(a_rectangular_footprint_is_a_box),
         cmocka_unit_test(a_roof_hides_sky_up_to_its_ridge),

@@ -182,7 +182,7 @@ static void the_other_wing_s_window_has_its_hole_too(void **state)
 }
 
 /* A neighbouring house may touch the façade or extend into it. */
-static void a_block_may_stand_in_the_sheet(void **state)
+static void a_block_may_extend_into_a_facade(void **state)
 {
     (void)state;
     struct pp_world *world = pp_test_world(
@@ -230,7 +230,7 @@ TEST_FILE
         cmocka_unit_test(no_light_gets_between_the_pieces),
         cmocka_unit_test(in_the_wall_s_own_plane_the_wall_is_the_facade),
         cmocka_unit_test(the_other_wing_s_window_has_its_hole_too),
-        cmocka_unit_test(a_block_may_stand_in_the_sheet),
+        cmocka_unit_test(a_block_may_extend_into_a_facade),
         cmocka_unit_test(a_room_without_surroundings_keeps_its_facade),
     };
     add_tests(tests, NULL, NULL);

@@ -84,7 +84,7 @@ static char *repeated(const char *head, const char *unit, const char *tail, size
 
 /* Files for which a quadratic algorithm would be slow: 4 MiB; under sanitizers enough
  * for 200,000 elements. */
-static void bulk_takes_no_more_than_its_share(void **state)
+static void large_files_take_linear_time(void **state)
 {
     (void)state;
     static const char room[] = "<room version='1'>" PLAN;
@@ -421,7 +421,7 @@ static void an_unreadable_file_is_reported_as_such(void **state)
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bulk_takes_no_more_than_its_share),
+        cmocka_unit_test(large_files_take_linear_time),
         cmocka_unit_test(entities_are_neither_expanded_nor_fetched),
         cmocka_unit_test(no_other_file_is_included),
         cmocka_unit_test(malformed_xml_is_named_with_its_line),

@@ -152,7 +152,7 @@ static void wrong_rooms_are_hundreds(void **state)
 }
 
 /* All mistakes are reported together, in the order of the lines. */
-static void many_mistakes_of_one_file_are_all_told(void **state)
+static void all_mistakes_of_one_file_are_reported(void **state)
 {
     (void)state;
     static const char xml[] = "<room version='2' north='up'>\n"
@@ -221,7 +221,7 @@ static int test_all(struct wrong_rooms *rooms)
     tests[count + 1] =
         (struct CMUnitTest)cmocka_unit_test_prestate(wrong_rooms_are_hundreds, rooms);
     tests[count + 2] =
-        (struct CMUnitTest)cmocka_unit_test(many_mistakes_of_one_file_are_all_told);
+        (struct CMUnitTest)cmocka_unit_test(all_mistakes_of_one_file_are_reported);
     int failed = _cmocka_run_group_tests("wrong rooms", tests, count + 3, NULL, NULL);
     free(cases);
     free(tests);

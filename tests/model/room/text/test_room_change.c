@@ -105,7 +105,7 @@ static void assert_refused(const char *address, const char *message)
     assert_non_null(strstr(err.message, message));
 }
 
-static void an_address_that_is_not_there_is_refused_with_those_that_are(void **state)
+static void an_unknown_address_is_rejected_with_the_known_ones(void **state)
 {
     (void)state;
     assert_refused("window.W5.width", "there is no window.W5");
@@ -145,7 +145,7 @@ TEST_FILE
         cmocka_unit_test(an_attribute_that_was_left_out_is_added),
         cmocka_unit_test(a_value_cannot_end_its_quotes),
         cmocka_unit_test(without_a_name_every_part_of_the_kind_changes),
-        cmocka_unit_test(an_address_that_is_not_there_is_refused_with_those_that_are),
+        cmocka_unit_test(an_unknown_address_is_rejected_with_the_known_ones),
         cmocka_unit_test(a_lenient_change_leaves_out_what_the_file_does_not_have),
         cmocka_unit_test(a_file_with_mistakes_is_left_to_its_reader),
     };

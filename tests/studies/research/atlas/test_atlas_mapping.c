@@ -155,7 +155,7 @@ static void truth_that_is_not_known_is_left_out_and_few_rooms_give_no_median(
     pp_atlas_table_clear(&table);
 }
 
-static void a_method_that_is_not_there_is_named(void **state)
+static void an_unknown_method_is_named(void **state)
 {
     (void)state;
     struct pp_atlas_table table;
@@ -178,7 +178,7 @@ TEST_FILE
         cmocka_unit_test(a_room_counts_once_however_many_points_it_has),
         cmocka_unit_test(
             truth_that_is_not_known_is_left_out_and_few_rooms_give_no_median),
-        cmocka_unit_test(a_method_that_is_not_there_is_named),
+        cmocka_unit_test(an_unknown_method_is_named),
     };
     add_tests(tests, NULL, NULL);
 }

@@ -31,7 +31,7 @@ static const char whole[] =
     "# atlas\nroom,point,df.bre\n0,0,0.0125\n0,-1,\n1,0,2.5e-3\n"
     "1,-1,0.02\n";
 
-static void numbers_stand_under_their_names_and_an_empty_one_is_none(void **state)
+static void numbers_are_read_by_name_and_an_empty_one_is_missing(void **state)
 {
     (void)state;
     struct pp_atlas_table table;
@@ -90,7 +90,7 @@ static void text_instead_of_a_number_is_reported_with_its_line(void **state)
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(numbers_stand_under_their_names_and_an_empty_one_is_none),
+        cmocka_unit_test(numbers_are_read_by_name_and_an_empty_one_is_missing),
         cmocka_unit_test(a_room_that_is_still_being_written_is_left_out),
         cmocka_unit_test(text_instead_of_a_number_is_reported_with_its_line),
     };

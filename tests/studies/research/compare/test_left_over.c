@@ -74,7 +74,7 @@ static void a_smooth_mistake_is_left_and_does_not_pass_for_noise(void **state)
     assert_near(over.noise, 0.005, 0.003);
 }
 
-static void stated_noise_stands_in_place_of_the_scatter(void **state)
+static void stated_noise_replaces_the_scatter(void **state)
 {
     (void)state;
     double left[POINTS];
@@ -107,7 +107,7 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(noise_alone_exceeds_itself_in_one_case_of_twenty),
         cmocka_unit_test(a_smooth_mistake_is_left_and_does_not_pass_for_noise),
-        cmocka_unit_test(stated_noise_stands_in_place_of_the_scatter),
+        cmocka_unit_test(stated_noise_replaces_the_scatter),
         cmocka_unit_test(few_points_do_not_tell_noise),
     };
     add_tests(tests, NULL, NULL);

@@ -233,7 +233,7 @@ static void an_unknown_switch_is_rejected_with_the_expected_ones(void **state)
     }
 }
 
-static void a_preset_stands_for_its_words(void **state)
+static void a_preset_equals_its_switches(void **state)
 {
     (void)state;
     const struct pp_room_variant_preset *preset;
@@ -265,7 +265,7 @@ TEST_FILE
         cmocka_unit_test(a_uniform_sky_is_brighter_at_the_window),
         cmocka_unit_test(points_on_another_plane_are_there),
         cmocka_unit_test(an_unknown_switch_is_rejected_with_the_expected_ones),
-        cmocka_unit_test(a_preset_stands_for_its_words),
+        cmocka_unit_test(a_preset_equals_its_switches),
     };
     add_tests(tests, NULL, NULL);
 }

@@ -78,7 +78,7 @@ static void light_is_followed_so_far(void **state)
 
 /* In the centre of a ball all light meets the glass at normal incidence. For a sensor
  * that faces up half of the light is direct; rho = (0.52 / 2.52)^2 at both surfaces. */
-static void glass_is_what_it_is_taken_for(void **state)
+static void glass_variants_have_the_assumed_transmittance(void **state)
 {
     (void)state;
     double rho = 0.52 / 2.52 * (0.52 / 2.52), clear = (1.0 - rho) * (1.0 - rho);
@@ -123,7 +123,7 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(channels_are_summed_up_as_the_other_program_does),
         cmocka_unit_test(light_is_followed_so_far),
-        cmocka_unit_test(glass_is_what_it_is_taken_for),
+        cmocka_unit_test(glass_variants_have_the_assumed_transmittance),
         cmocka_unit_test(parts_of_the_geometry_cannot_be_switched),
     };
     add_tests(tests, NULL, NULL);

@@ -412,7 +412,7 @@ static void what_the_rooms_own_walls_hide_is_not_hidden_twice(void **state)
 }
 
 /* The extension of the wall beyond the room counts as surroundings, like a block. */
-static void a_facade_is_cleared_away_with_all_that_stands_outside(void **state)
+static void a_facade_is_removed_with_the_surroundings(void **state)
 {
     (void)state;
     struct compared c;
@@ -443,7 +443,7 @@ TEST_FILE
         cmocka_unit_test(windows_of_one_wall_have_one_skyline_by_their_areas),
         cmocka_unit_test(a_far_skyline_of_a_fifth_is_the_formulas_own),
         cmocka_unit_test(before_a_rooflight_a_block_stays_where_it_is),
-        cmocka_unit_test(a_facade_is_cleared_away_with_all_that_stands_outside),
+        cmocka_unit_test(a_facade_is_removed_with_the_surroundings),
         cmocka_unit_test(what_the_rooms_own_walls_hide_is_not_hidden_twice),
     };
     add_tests(tests, NULL, NULL);
