@@ -86,6 +86,9 @@ static const double layers[LAYERS + 1] = {0.0, 0.21, 0.53, 1.0};
 /* Points of the cubature for one part: in the first estimate, and at most. */
 enum { FIRST_POINTS = 17, MOST_POINTS = 6000 };
 
+/* Most tolerances in turn, each from the estimate with the one before. */
+enum { MOST_TOLERANCES = 4 };
+
 /* Integral over a part: its two values, and the sum of their errors. */
 struct part_integral {
     double values[2], error;
@@ -151,9 +154,17 @@ enum pp_status pp_beam_average(double mean[2], struct pp_beams *beams,
     for (int i = 0; i < parts; i++)
         of[i].error = INFINITY;
     status = integrate_parts(sum, of, &integral, parts, 1e300, FIRST_POINTS, err);
-    double absolute = relative_error / 8.0 * (sum[0] + sum[1]) / sqrt(parts);
-    if (status == PP_OK && absolute > 0.0)
+    /* The first estimate is far off for a photographed sky with a small sun, and may be
+     * negative. Then the tolerance that follows from it is set again. */
+    double total = fabs(sum[0] + sum[1]), before = INFINITY;
+    for (int i = 0;
+         i < MOST_TOLERANCES && status == PP_OK && total > 0.0 && total < 0.5 * before;
+         i++) {
+        double absolute = relative_error / 8.0 * total / sqrt(parts);
         status = integrate_parts(sum, of, &integral, parts, absolute, MOST_POINTS, err);
+        before = total;
+        total = fabs(sum[0] + sum[1]);
+    }
     double area_m2 = pp_region_area(&pp_beams_world(beams)->plane);
     mean[0] = sum[0] / area_m2;
     mean[1] = sum[1] / area_m2;

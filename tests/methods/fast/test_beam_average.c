@@ -127,6 +127,53 @@ static void a_rooflight_under_a_block_and_a_diffusing_one(void **state)
                      FINE);
 }
 
+/* ---- a sky that is dark but for a spot ---- */
+
+struct spot {
+    struct pp_vec3 to;
+    double width_rad;
+};
+
+static double spot_luminance(const void *context, struct pp_vec3 u)
+{
+    const struct spot *spot = context;
+    double angle = acos(fmin(1.0, pp_vec_dot(spot->to, u))) / spot->width_rad;
+    return exp(-angle * angle);
+}
+
+/* All light that enters the window falls on the plane: the mean is the flux through the
+ * window over the area of the plane. The spot of width s has the illuminance pi s2. The
+ * first estimate for the first spot is almost 0. */
+static void a_small_spot_gives_the_plane_its_flux_through_the_window(void **state)
+{
+    (void)state;
+    const struct pp_vec3 outward = {0.0, -1.0, 0.0};
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'>" BOX "<window wall='south' left='1.1' sill='1.1' "
+                "width='1.7' height='1.3'/></room>");
+    static const double places[][2] = {{181.5, 42.688}, {166.0, 38.0}, {150.0, 36.0}};
+    for (int i = 0; i < 3; i++) {
+        double bearing = places[i][0] * PP_RAD, altitude = places[i][1] * PP_RAD;
+        struct spot spot = {pp_vec(cos(altitude) * sin(bearing),
+                                   cos(altitude) * cos(bearing), sin(altitude)),
+                            1.0 * PP_RAD};
+        const struct pp_plane_light of = {.sky = spot_luminance, .context = &spot};
+        struct pp_beams *beams;
+        double mean[2], s = spot.width_rad;
+        assert_int_equal(pp_beams_create(&beams, world, false, NULL), PP_OK);
+        assert_int_equal(pp_beam_average(mean, beams, &world->openings[0], &of,
+                                         PP_BEAM_AVERAGE_ERROR, NULL),
+                         PP_OK);
+        assert_relative(mean[0],
+                        PP_PI * s * s * pp_vec_dot(spot.to, outward) * 1.7 * 1.3
+                            / (4.2 * 6.0),
+                        0.01);
+        pp_beams_destroy(beams);
+    }
+    pp_world_destroy(world);
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
@@ -135,6 +182,7 @@ TEST_FILE
         cmocka_unit_test(skylines_near_and_far),
         cmocka_unit_test(an_l_shaped_room),
         cmocka_unit_test(a_rooflight_under_a_block_and_a_diffusing_one),
+        cmocka_unit_test(a_small_spot_gives_the_plane_its_flux_through_the_window),
     };
     add_tests(tests, NULL, NULL);
 }
