@@ -81,6 +81,14 @@ static inline struct pp_vec3 pp_sky_to_north(const struct pp_sky *sky, struct pp
                   u.y * sky->north[0] - u.x * sky->north[1], u.z);
 }
 
+/* The inverse of pp_sky_to_north. */
+static inline struct pp_vec3 pp_sky_from_north(const struct pp_sky *sky,
+                                               struct pp_vec3 u)
+{
+    return pp_vec(u.x * sky->north[0] - u.y * sky->north[1],
+                  u.y * sky->north[0] + u.x * sky->north[1], u.z);
+}
+
 /* True if the luminance depends on azimuth. */
 bool pp_sky_has_azimuth(const struct pp_sky *sky);
 

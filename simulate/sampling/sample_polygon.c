@@ -5,6 +5,8 @@
 #include <math.h>
 
 #include "model/geometry/min_max.h"
+#include "model/light/photographs/sky_bright.h"
+#include "simulate/sampling/sample_bright.h"
 #include "simulate/sampling/triangle.h"
 
 /* Least density in the unit square, as a fraction of the mean. Limits the variance that
@@ -369,6 +371,11 @@ void pp_sample_polygon_init(struct pp_polygon_sampler *sampler,
     sampler->from = from;
     sampler->facing = n;
     sampler->distance_m = pp_target_height(target, from);
+    sampler->bright = brightness.bright;
+    sampler->bright_share = 0.0;
+    if (sampler->bright)
+        sampler->bright_share =
+            pp_sample_bright_share_of_target(sampler->bright, target, from, n);
     if (target->rectangle) {
         rectangle_init(sampler);
         weigh_corners(sampler, n, brightness);
@@ -380,8 +387,8 @@ void pp_sample_polygon_init(struct pp_polygon_sampler *sampler,
     sampler->by_area = sampler->solid < SMALL_TRIANGLE_SR;
 }
 
-struct pp_direction_sample pp_sample_polygon_draw(
-    const struct pp_polygon_sampler *sampler, double u, double v)
+static struct pp_direction_sample shape_sample(const struct pp_polygon_sampler *sampler,
+                                               double u, double v)
 {
     if (sampler->target->rectangle)
         return rectangle_sample(sampler, u, v);
@@ -418,18 +425,6 @@ static double rectangle_pdf(const struct pp_polygon_sampler *sampler,
     return (left + u * (right - left)) / size;
 }
 
-/* True if a point of the triangle's plane is in the triangle, with a tolerance for
- * rounding. */
-static bool in_triangle(const struct pp_vec3 t[3], struct pp_vec3 p)
-{
-    double sum = 0.0;
-    for (int k = 0; k < 3; k++) {
-        const struct pp_vec3 corner[3] = {t[k], t[(k + 1) % 3], p};
-        sum += pp_triangle_area(corner);
-    }
-    return sum < pp_triangle_area(t) * (1.0 + 1e-9);
-}
-
 static double triangle_pdf(const struct pp_polygon_sampler *sampler,
                            const struct pp_direction_sample *at)
 {
@@ -437,7 +432,7 @@ static double triangle_pdf(const struct pp_polygon_sampler *sampler,
     if (sampler->by_area)
         return 1.0 / (target->area_m2 * per_area(sampler, at));
     for (int i = 0; i < target->triangle_count; i++)
-        if (in_triangle(target->triangles[i], at->point)) {
+        if (pp_triangle_has(target->triangles[i], at->point)) {
             double size = triangle_of_target(sampler, i);
             if (size > SMALL_TRIANGLE_SR)
                 break;
@@ -456,6 +451,34 @@ double pp_sample_polygon_pdf(const struct pp_polygon_sampler *sampler,
     struct pp_direction_sample at = {.direction = direction,
                                      .distance_m = sampler->distance_m / toward};
     at.point = pp_vec_along(sampler->from, at.distance_m, direction);
-    return sampler->target->rectangle ? rectangle_pdf(sampler, &at)
-                                      : triangle_pdf(sampler, &at);
+    double pdf = sampler->target->rectangle ? rectangle_pdf(sampler, &at)
+                                            : triangle_pdf(sampler, &at);
+    if (sampler->bright_share > 0.0)
+        pdf = (1.0 - sampler->bright_share) * pdf
+              + sampler->bright_share * pp_sky_bright_pdf(sampler->bright, direction);
+    return pdf;
+}
+
+/* ---- with the bright parts of a sky ---- */
+
+/* One sample of the mixture of sample_bright.h. */
+static struct pp_direction_sample mixed_sample(const struct pp_polygon_sampler *sampler,
+                                               double u, double v)
+{
+    double share = sampler->bright_share;
+    struct pp_direction_sample sample = {.per_density = 0.0};
+    if (u >= share)
+        sample = shape_sample(sampler, (u - share) / (1.0 - share), v);
+    else if (!pp_sample_bright_draw_to_target(sampler->bright, sampler->target,
+                                              sampler->from, u / share, v, &sample))
+        return (struct pp_direction_sample){.per_density = 0.0};
+    sample.per_density = 1.0 / pp_sample_polygon_pdf(sampler, sample.direction);
+    return sample;
+}
+
+struct pp_direction_sample pp_sample_polygon_draw(
+    const struct pp_polygon_sampler *sampler, double u, double v)
+{
+    return sampler->bright_share > 0.0 ? mixed_sample(sampler, u, v)
+                                       : shape_sample(sampler, u, v);
 }

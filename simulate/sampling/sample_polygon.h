@@ -44,11 +44,16 @@ static inline struct pp_vec3 pp_target_point(const struct pp_target *target, dou
     return pp_vec_along(pp_vec_along(target->corner, x, target->along), y, target->up);
 }
 
+struct pp_sky_bright;
+
 /* Estimated luminance outside the openings, relative to the luminance of the
  * horizon. */
 struct pp_brightness {
     double ground;    /* below the horizon */
     double gradation; /* above the horizon: 1 + gradation sin(altitude) */
+    const struct pp_sky_bright
+        *bright; /* bright parts of a photographed sky (sample_bright.h); NULL: none;
+                  * not owned */
 };
 
 /* A target as seen from one point of a surface. */
@@ -61,6 +66,9 @@ struct pp_polygon_sampler {
     double b0, b1, k, solid;    /* parameters of the map of [URENA13]; solid angle in
                                  * sr */
     double corner_weight[2][2]; /* [v][u], their mean is 1 */
+    const struct pp_sky_bright *bright;
+    double bright_share; /* share of directions to the bright parts of the sky; 0:
+                          * none */
 };
 
 /* True if the front of the target is at least partly visible from this side of a
@@ -79,7 +87,8 @@ void pp_sample_polygon_init(struct pp_polygon_sampler *sampler,
                             struct pp_vec3 n, struct pp_brightness brightness);
 
 /* A point of the target for two numbers in (0, 1), its direction and distance from
- * sampler->from, and 1/density in steradians. */
+ * sampler->from, and 1/density in steradians. A direction to a bright part of the sky
+ * that misses the target has per_density 0 and the direction 0. */
 struct pp_direction_sample {
     struct pp_vec3 point, direction;
     double distance_m, per_density;

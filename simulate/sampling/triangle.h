@@ -3,6 +3,7 @@
 #define PP_SIMULATE_SAMPLING_TRIANGLE_H
 
 #include <math.h>
+#include <stdbool.h>
 
 #include "model/geometry/vec.h"
 
@@ -36,6 +37,18 @@ static inline struct pp_vec3 pp_triangle_point_of(const struct pp_vec3 (*triangl
         own = pp_triangle_area(triangles[++i]);
     }
     return pp_triangle_point(triangles[i], fmin(left / own, 1.0), v);
+}
+
+/* True if a point of the triangle's plane is in the triangle, with a tolerance for
+ * rounding. */
+static inline bool pp_triangle_has(const struct pp_vec3 t[3], struct pp_vec3 p)
+{
+    double sum = 0.0;
+    for (int k = 0; k < 3; k++) {
+        const struct pp_vec3 corner[3] = {t[k], t[(k + 1) % 3], p};
+        sum += pp_triangle_area(corner);
+    }
+    return sum < pp_triangle_area(t) * (1.0 + 1e-9);
 }
 
 #endif

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "model/light/graded_sky.h"
+#include "model/light/photographs/sky_bright.h"
 #include "model/light/photographs/sky_picture.h"
 #include "simulate/sampling/hash.h"
 
@@ -41,11 +42,16 @@ enum pp_status pp_environment_create(struct pp_environment **result,
     environment->light = *light;
     environment->skylines = skylines;
     environment->brightness = brightness_of(light);
+    enum pp_status status =
+        pp_sky_bright_create(&environment->bright, &light->sky, err);
+    environment->brightness.bright = environment->bright;
     environment->far_exitance =
         calloc((size_t)skylines->far_count + 1, sizeof *environment->far_exitance);
-    if (!environment->far_exitance) {
+    if (status == PP_OK && !environment->far_exitance)
+        status = pp_fail_memory(err);
+    if (status != PP_OK) {
         pp_environment_destroy(environment);
-        return pp_fail_memory(err);
+        return status;
     }
     light_skylines(environment);
     *result = environment;
@@ -56,6 +62,7 @@ void pp_environment_destroy(struct pp_environment *environment)
 {
     if (!environment)
         return;
+    pp_sky_bright_destroy(environment->bright);
     free(environment->far_exitance);
     free(environment);
 }

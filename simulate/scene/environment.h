@@ -32,6 +32,7 @@ struct pp_environment {
     const struct pp_scene_skylines *skylines; /* owned by the scene */
     double *far_exitance;
     struct pp_brightness brightness; /* estimated brightness outside the openings */
+    struct pp_sky_bright *bright; /* bright parts of a photographed sky; NULL: none */
 };
 
 /* skylines: of the scene that the light falls on; must outlive *environment. */

@@ -188,7 +188,7 @@ enum pp_status pp_opening_store_create(struct pp_opening_store **result,
                                        uint64_t seed, int threads, struct pp_error *err)
 {
     *result = NULL;
-    if (scene->pane_count == 0)
+    if (scene->pane_count == 0 || environment->bright)
         return PP_OK;
     struct pp_opening_store *store = calloc(1, sizeof *store);
     struct pp_sobol *sobol = malloc(sizeof *sobol);

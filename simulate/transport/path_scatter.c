@@ -1,7 +1,7 @@
 /* path_scatter.c - see path_scatter.h. */
 #include "simulate/transport/path_scatter.h"
 
-#include "simulate/sampling/lobe.h"
+#include "simulate/sampling/sample_bright.h"
 #include "simulate/sampling/sample_discrete.h"
 
 void pp_path_scatter_note_met(struct pp_light_path *path, enum pp_space space)
@@ -86,6 +86,17 @@ bool pp_path_scatter_by_lobe(const struct pp_radiance_state *state,
     return true;
 }
 
+/* The bright parts of the sky to which directions of a path are sampled; NULL: none.
+ * Indoors, directions through the openings are sampled to them, unless the path has
+ * come from an opening. */
+static const struct pp_sky_bright *bright_for(const struct pp_radiance_state *state,
+                                              const struct pp_light_path *path,
+                                              enum pp_space space)
+{
+    bool here = state->environment && (path->from_window || space != PP_INDOORS);
+    return here ? state->environment->bright : NULL;
+}
+
 double pp_path_scatter_diffuse(const struct pp_radiance_state *state,
                                struct pp_light_path *path, struct pp_vec3 from,
                                const struct pp_frame *frame, enum pp_space space)
@@ -93,9 +104,11 @@ double pp_path_scatter_diffuse(const struct pp_radiance_state *state,
     double u[4]; /* direction (2), unused, Russian roulette */
     pp_sobol_sequence_draw(&state->sequence, state->index, path->vertex * PP_DRAWS, 4,
                            u);
-    path->ray = (struct pp_light_ray){
-        from, frame->z,
-        pp_lobe_sample_in_frame(frame->x, frame->y, frame->z, u[0], u[1]), space};
+    path->ray = (struct pp_light_ray){from, frame->z, frame->z, space};
+    path->throughput = pp_rgb_scale(
+        path->throughput,
+        pp_sample_bright_lobe(bright_for(state, path, space), frame->x, frame->y,
+                              frame->z, u[0], u[1], &path->ray.to));
     path->sampled = PP_DIRECTLY_SAMPLED_ALL;
     path->sampled_in = space;
     path->from_diffuse = true;

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "simulate/sampling/lobe.h"
+#include "simulate/sampling/sample_bright.h"
 #include "simulate/scene/environment.h"
 #include "simulate/transport/light_sources.h"
 #include "simulate/transport/path_scatter.h"
@@ -166,7 +166,10 @@ static void leave(struct pp_radiance_state *state,
         pp_sobol_sequence_draw(&state->sequence, state->index,
                                pp_sample_openings_vertex(shading, sample->opening), 2,
                                u);
-        sample->ray.to = pp_lobe_sample_in_frame(part->a, part->b, out, u[0], u[1]);
+        transmittance = pp_rgb_scale(transmittance,
+                                     pp_sample_bright_lobe(state->environment->bright,
+                                                           part->a, part->b, out, u[0],
+                                                           u[1], &sample->ray.to));
     } else {
         transmittance =
             pp_scatter_regular_transmittance(material, pp_vec_dot(out, to->direction));

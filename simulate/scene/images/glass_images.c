@@ -244,6 +244,8 @@ int pp_glass_images_sample(const struct pp_light_scene *scene,
     struct pp_glass_sight *sight = sight_of(scene, view, brightness, chosen);
     struct pp_direction_sample sample =
         pp_sample_polygon_draw(&sight->sampler, u[0], u[1]);
+    if (!(sample.per_density > 0.0))
+        return -1;
     *to =
         pp_vec_mirrored(sample.direction,
                         scene->panes[scene->glass_images[chosen].glass].target.normal);

@@ -121,6 +121,8 @@ bool pp_window_images_sample(const struct pp_light_scene *scene, int index,
     pp_sample_polygon_init(&sampler, &target, behind.point, behind.normal,
                            behind.brightness);
     struct pp_direction_sample sample = pp_sample_polygon_draw(&sampler, u, v);
+    if (!(sample.per_density > 0.0))
+        return false;
     *to = pp_vec_mirrored(sample.direction, reflector->frame.z);
     *pdf = 1.0 / sample.per_density;
     return pp_vec_dot(*to, reflector->frame.z) < 0.0;

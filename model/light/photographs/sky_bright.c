@@ -1,0 +1,145 @@
+/* sky_bright.c - see sky_bright.h. */
+#include "model/light/photographs/sky_bright.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "model/light/photographs/sky_picture.h"
+
+enum { CELLS = PP_SKY_PICTURE_ROWS * PP_SKY_PICTURE_COLUMNS };
+
+static const double ROW_RAD = PP_PI / 2.0 / PP_SKY_PICTURE_ROWS;
+static const double COLUMN_RAD = 2.0 * PP_PI / PP_SKY_PICTURE_COLUMNS;
+
+/* A cell is bright above this multiple of the mean luminance Eh/pi. */
+static const double BRIGHT = 4.0;
+
+/* Least share of the light that makes the density worth its samples. */
+static const double LEAST_SHARE = 0.01;
+
+static double solid_angle_of(int cell)
+{
+    int row = cell / PP_SKY_PICTURE_COLUMNS;
+    return COLUMN_RAD * (sin((row + 1) * ROW_RAD) - sin(row * ROW_RAD));
+}
+
+/* The excess of a cell; 0 beyond the rows. */
+static double excess_of(const struct pp_sky_bright *bright, int row, int column)
+{
+    if (row < 0 || row >= PP_SKY_PICTURE_ROWS)
+        return 0.0;
+    column = (column + PP_SKY_PICTURE_COLUMNS) % PP_SKY_PICTURE_COLUMNS;
+    int cell = row * PP_SKY_PICTURE_COLUMNS + column;
+    return fmax(0.0, (double)bright->sky.picture->cells[cell] - bright->least_cd_m2);
+}
+
+/* The density of a cell before normalisation. A sun that is smaller than a cell, or
+ * lies at its edge, may be missing in the cell's mean: neighbours add a tenth each. */
+static double density_of(const struct pp_sky_bright *bright, int cell)
+{
+    int row = cell / PP_SKY_PICTURE_COLUMNS, column = cell % PP_SKY_PICTURE_COLUMNS;
+    double sum = 0.9 * excess_of(bright, row, column);
+    for (int i = -1; i <= 1; i++)
+        for (int k = -1; k <= 1; k++)
+            sum += 0.1 * excess_of(bright, row + i, column + k);
+    return sum;
+}
+
+/* Finds the bright cells and their cumulative probabilities. */
+static void gather_bright_cells(struct pp_sky_bright *bright)
+{
+    for (int i = 0; i < CELLS; i++) {
+        bright->density[i] = (float)density_of(bright, i);
+        if (!(bright->density[i] > 0.0F))
+            continue;
+        bright->cells[bright->count] = i;
+        bright->below[bright->count++] = bright->integral;
+        bright->integral += (double)bright->density[i] * solid_angle_of(i);
+    }
+    for (int i = 0; i < bright->count; i++)
+        bright->below[i] /= bright->integral;
+}
+
+static bool is_worth_it(const struct pp_sky_bright *bright)
+{
+    double light = 0.0;
+    for (int i = 0; i < CELLS; i++)
+        light += (double)bright->sky.picture->cells[i] * solid_angle_of(i);
+    return bright->integral > LEAST_SHARE * light;
+}
+
+enum pp_status pp_sky_bright_create(struct pp_sky_bright **result,
+                                    const struct pp_sky *sky, struct pp_error *err)
+{
+    *result = NULL;
+    if (sky->kind != PP_SKY_PICTURE)
+        return PP_OK;
+    struct pp_sky_bright *bright = calloc(1, sizeof *bright);
+    if (!bright)
+        return pp_fail_memory(err);
+    bright->sky = *sky;
+    bright->least_cd_m2 = BRIGHT * sky->picture->horizontal_lx / PP_PI;
+    bright->cells = malloc(CELLS * sizeof *bright->cells);
+    bright->below = malloc(CELLS * sizeof *bright->below);
+    bright->density = malloc(CELLS * sizeof *bright->density);
+    if (!bright->cells || !bright->below || !bright->density) {
+        pp_sky_bright_destroy(bright);
+        return pp_fail_memory(err);
+    }
+    gather_bright_cells(bright);
+    if (bright->count == 0 || !is_worth_it(bright)) {
+        pp_sky_bright_destroy(bright);
+        return PP_OK;
+    }
+    for (int i = 0; i < PP_SKY_BRIGHT_SOME; i++)
+        bright->some[i] = pp_sky_bright_draw(bright, (i + 0.5) / PP_SKY_BRIGHT_SOME,
+                                             fmod((i + 0.5) * 0.618033988749895, 1.0));
+    *result = bright;
+    return PP_OK;
+}
+
+void pp_sky_bright_destroy(struct pp_sky_bright *bright)
+{
+    if (!bright)
+        return;
+    free(bright->cells);
+    free(bright->below);
+    free(bright->density);
+    free(bright);
+}
+
+struct pp_vec3 pp_sky_bright_draw(const struct pp_sky_bright *bright, double u,
+                                  double v)
+{
+    int low = 0, high = bright->count;
+    while (high - low > 1) {
+        int middle = (low + high) / 2;
+        if (bright->below[middle] <= u)
+            low = middle;
+        else
+            high = middle;
+    }
+    double end = low + 1 < bright->count ? bright->below[low + 1] : 1.0;
+    double within = (u - bright->below[low]) / (end - bright->below[low]);
+    int row = bright->cells[low] / PP_SKY_PICTURE_COLUMNS;
+    int column = bright->cells[low] % PP_SKY_PICTURE_COLUMNS;
+    double foot = sin(row * ROW_RAD), head = sin((row + 1) * ROW_RAD);
+    double z = foot + fmin(1.0, fmax(0.0, within)) * (head - foot);
+    double bearing = (column + v) * COLUMN_RAD, level = sqrt(fmax(0.0, 1.0 - z * z));
+    return pp_sky_from_north(&bright->sky,
+                             pp_vec(level * sin(bearing), level * cos(bearing), z));
+}
+
+double pp_sky_bright_pdf(const struct pp_sky_bright *bright, struct pp_vec3 to)
+{
+    if (!(to.z > 0.0))
+        return 0.0;
+    struct pp_vec3 u = pp_sky_to_north(&bright->sky, to);
+    double bearing = atan2(u.x, u.y);
+    int row = (int)(asin(fmin(1.0, u.z)) / ROW_RAD);
+    int column = (int)((bearing < 0.0 ? bearing + 2.0 * PP_PI : bearing) / COLUMN_RAD);
+    row = row < PP_SKY_PICTURE_ROWS ? row : PP_SKY_PICTURE_ROWS - 1;
+    column = column < PP_SKY_PICTURE_COLUMNS ? column : PP_SKY_PICTURE_COLUMNS - 1;
+    return (double)bright->density[row * PP_SKY_PICTURE_COLUMNS + column]
+           / bright->integral;
+}

@@ -1,0 +1,46 @@
+/* sky_bright.h - the bright parts of a photographed sky, such as the sun, as a density
+ * of directions.
+ *
+ * The density of a direction is proportional to the excess of its cell, in the
+ * picture's table, over four times the mean luminance of the sky. A tenth of the excess
+ * of each neighbouring cell is added.
+ *
+ * Directions are drawn by the cumulative sums of the cells, and uniformly in solid
+ * angle within a cell. A sky without bright parts, such as an overcast one, has none.
+ */
+#ifndef PP_MODEL_LIGHT_PHOTOGRAPHS_SKY_BRIGHT_H
+#define PP_MODEL_LIGHT_PHOTOGRAPHS_SKY_BRIGHT_H
+
+#include "model/base/error.h"
+#include "model/geometry/vec.h"
+#include "model/light/sky.h"
+
+/* Directions that represent the density, with equal shares of it. */
+enum { PP_SKY_BRIGHT_SOME = 8 };
+
+struct pp_sky_bright {
+    struct pp_sky sky;
+    double least_cd_m2; /* luminance above which a cell is bright */
+    double integral;    /* of `density` (cd sr/m2) */
+    float *density;     /* by cell of the picture's table, not normalised (cd/m2) */
+    int count;          /* bright cells */
+    int *cells;         /* indices in the picture's table */
+    double *below;      /* probability of all bright cells before each */
+    struct pp_vec3 some[PP_SKY_BRIGHT_SOME];
+};
+
+/* Finds the bright parts. *bright is NULL for a sky that is no photograph, or if the
+ * excess is less than 1 % of the light. The picture must outlive *bright. */
+enum pp_status pp_sky_bright_create(struct pp_sky_bright **bright,
+                                    const struct pp_sky *sky, struct pp_error *err);
+void pp_sky_bright_destroy(struct pp_sky_bright *bright); /* NULL is allowed */
+
+/* A direction for two numbers in [0, 1), in the axes of the room, as in
+ * pp_sky_luminance. */
+struct pp_vec3 pp_sky_bright_draw(const struct pp_sky_bright *bright, double u,
+                                  double v);
+
+/* The density of a direction, per steradian. */
+double pp_sky_bright_pdf(const struct pp_sky_bright *bright, struct pp_vec3 to);
+
+#endif
