@@ -61,12 +61,13 @@ static double year_part(struct json_object *object, const char *name, const char
     return json_object_get_double(number);
 }
 
-/* Largest relative standard error of the annual light of a point, per cent. */
+/* Largest relative standard error of the annual light of a point of a room, per cent. */
 static double largest_error(struct json_object *annual)
 {
     struct json_object *points = NULL;
     double largest = 0.0;
-    json_object_object_get_ex(annual, "points", &points);
+    if (!json_object_object_get_ex(annual, "points", &points))
+        return 0.0;
     for (size_t i = 0; i < json_object_array_length(points); i++) {
         struct json_object *point = json_object_array_get_idx(points, i);
         double value = year_part(point, "year-klxh", "value");
@@ -137,6 +138,11 @@ static bool run_annual_pass(struct annual_stream *stream, struct pp_task *task,
                      (size_t)json_object_get_string_len(room));
     if (result.end == PP_CHILD_DONE && result.status == 0)
         annual = json_tokener_parse(result.output);
+    if (json_object_is_type(annual, json_type_array)) { /* of a building: first room */
+        struct json_object *list = annual;
+        annual = json_object_get(json_object_array_get_idx(list, 0));
+        json_object_put(list);
+    }
     if (annual)
         is_last = send_annual(stream, task, annual, paths);
     else if (result.end != PP_CHILD_CANCELLED)

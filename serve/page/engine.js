@@ -90,6 +90,8 @@ export const engine = {
 
     // "estimate" events { progress, error, points: [[value, se], ...], average }, then "result".
     trace: (text, options, signal) => stream('trace', text, options, signal),
+    // "estimate" events { progress, error, paths, annual }, then "result"; options: weather, a hash.
+    annual: (text, options, signal) => stream('annual', text, options, signal),
     // "picture" events { pass, passes, size, samples, png }.
     render: (text, options, signal) => stream('render', text, options, signal),
 

@@ -6,6 +6,7 @@ import { engine } from './engine.js';
 import { $, h } from './dom.js';
 import { insertInto } from './room_text.js';
 import { useWeather } from './sheets_panel.js';
+import { useYearWeather } from './year_panel.js';
 
 export const EXAMPLES = [
     ['deep-office', 'Deep office'], ['deep-office-obstructed', 'Deep office, obstructed'], ['office', 'Office for two'],
@@ -41,7 +42,9 @@ function addObj(text) {
 export async function openFile(file) {
     const extension = file.name.toLowerCase().split('.').pop();
     if (extension === 'epw') {
-        useWeather(await engine.weather(await file.arrayBuffer()));
+        const found = await engine.weather(await file.arrayBuffer());
+        useWeather(found);
+        useYearWeather(found);
         return `The weather file ${file.name} is now used.`;
     }
     const text = await file.text();

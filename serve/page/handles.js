@@ -100,8 +100,13 @@ function sectionHandles(scene, element, cut) {
             { key: 'head', at: [s, sill + height], label: 'head', axes: 'y', drag: ([, z]) => place(element, ['height'], [Math.max(SMALLEST, z - sill)]) },
         ];
     }
-    if (element.name === 'plan')
-        return [{ key: 'height', at: [cut.middle, numberOf(element, 'height')], label: 'height', axes: 'y', drag: ([, z]) => place(element, ['height'], [Math.max(1, z)]) }];
+    if (element.name === 'plan') {
+        const eaves = numberOf(element, 'height'), pitch = numberOf(element, 'pitch') * Math.PI / 180;
+        const run = (scene.height - eaves) / Math.tan(pitch); // horizontal length of a slope
+        const roof = run > 0 ? [{ key: 'pitch', at: [cut.middle, scene.height], label: 'pitch of the roof', axes: 'y', isFree: true,
+            drag: ([, z]) => [[element, { pitch: written(Math.min(85, Math.max(1, Math.round(Math.atan2(z - eaves, run) * 180 / Math.PI))), 0) }]] }] : [];
+        return [{ key: 'height', at: [cut.middle, eaves], label: 'height', axes: 'y', drag: ([, z]) => place(element, ['height'], [Math.max(1, z)]) }, ...roof];
+    }
     if (element.name === 'working-plane')
         return [{ key: 'plane', at: [cut.middle, numberOf(element, 'height', scene['working-plane'])], label: 'height', axes: 'y', drag: ([, z]) => place(element, ['height'], [Math.max(0, z)]) }];
     if (element.name === 'block') {

@@ -4,12 +4,13 @@
 const glazings = ['clear-single', 'clear-double', 'clear-triple', 'low-e-double', 'low-e-triple',
     'solar-control-light', 'solar-control-medium', 'solar-control-dark', 'none'];
 const glass = [['glazing', '', glazings], ['transmittance', ''], ['frame-factor', ''], ['maintenance', ''], ['reveal', 'm'], ['name', '']];
+const roofs = ['flat', 'mono', 'gable', 'hip'], ridges = ['longer', 'width', 'depth'];
 const skies = ['overcast', 'uniform', ...Array.from({ length: 15 }, (_, i) => `iso-${i + 1}`)];
 
 // name: [attribute, unit, values to choose from]; the first ones are always shown.
 export const KINDS = {
     room: { label: 'Room', attributes: [['name', ''], ['north', '\u00b0'], ['use', '']] },
-    plan: { label: 'Plan', attributes: [['width', 'm'], ['depth', 'm'], ['height', 'm']] },
+    plan: { label: 'Plan', attributes: [['width', 'm'], ['depth', 'm'], ['height', 'm'], ['roof', '', [...roofs, 'saw-tooth']], ['pitch', '\u00b0'], ['ridge', '', ridges], ['teeth', '']] },
     envelope: { label: 'Envelope', attributes: [] },
     face: { label: 'Face', attributes: [['name', ''], ['role', '', ['floor', 'wall', 'ceiling']], ['reflectance', '']] },
     vertex: { label: 'Corner', attributes: [['x', 'm'], ['y', 'm'], ['z', 'm']] },
@@ -25,7 +26,7 @@ export const KINDS = {
     shelf: { label: 'Light shelf', attributes: [['height', 'm'], ['depth', 'm'], ['inside', 'm'], ['reflectance', '']] },
     skyline: { label: 'Skyline', attributes: [['wall', ''], ['angle', '\u00b0'], ['distance', 'm'], ['reflectance', '']] },
     facade: { label: 'Fa\u00e7ade', attributes: [['wall', ''], ['left', 'm'], ['right', 'm'], ['up', 'm'], ['down', 'm'], ['reflectance', '']] },
-    block: { label: 'Block', attributes: [['x', 'm'], ['y', 'm'], ['base', 'm'], ['width', 'm'], ['depth', 'm'], ['height', 'm'], ['rotate', '\u00b0'], ['reflectance', ''], ['name', '']] },
+    block: { label: 'Block', attributes: [['x', 'm'], ['y', 'm'], ['base', 'm'], ['width', 'm'], ['depth', 'm'], ['height', 'm'], ['rotate', '\u00b0'], ['roof', '', roofs], ['pitch', '\u00b0'], ['ridge', '', ridges], ['reflectance', ''], ['name', '']] },
     surface: { label: 'Surface', attributes: [['reflectance', '']] },
     furniture: { label: 'Furniture', attributes: [['x', 'm'], ['y', 'm'], ['width', 'm'], ['depth', 'm'], ['height', 'm'], ['reflectance', '']] },
     column: { label: 'Column', attributes: [['x', 'm'], ['y', 'm'], ['width', 'm'], ['depth', 'm'], ['reflectance', '']] },

@@ -13,6 +13,7 @@ import { setUpLive, isBusy, timings } from './live.js';
 import { setUpResults } from './results_panel.js';
 import { setUpCriteria } from './criteria_panel.js';
 import { setUpSheets, downloadFile } from './sheets_panel.js';
+import { setUpYear } from './year_panel.js';
 import { setUpText } from './text_tab.js';
 import { setUpFiles } from './files.js';
 
@@ -181,6 +182,7 @@ async function start() {
     setUpResults();
     setUpCriteria();
     setUpSheets(server);
+    setUpYear();
     setUpFiles();
     setUpBar();
     setUpLive();
@@ -195,7 +197,7 @@ async function start() {
         draw();
     });
     setUpTabs($('result-tabs'), (tab) => {
-        for (const name of ['figures', 'criteria', 'sheets', 'pictures']) $(`panel-${name}`).hidden = tab !== name;
+        for (const name of ['figures', 'criteria', 'sheets', 'year', 'pictures']) $(`panel-${name}`).hidden = tab !== name;
         board.tell('tab');
     });
     for (const id of ['sun-date', 'sun-time']) $(id).addEventListener('input', draw);

@@ -25,7 +25,11 @@ function drawParts() {
 
 function setValue(element, name, value) {
     const text = value.trim();
-    board.change(setAttributes(board.text, element, { [name]: text === '' ? null : text }));
+    const changes = { [name]: text === '' ? null : text };
+    // A pitched roof needs a pitch, and a flat one must not have any.
+    if (name === 'roof' && ['', 'flat'].includes(text)) Object.assign(changes, { pitch: null, teeth: null });
+    else if (name === 'roof' && valueOf(element, 'pitch', '') === '') changes.pitch = '30';
+    board.change(setAttributes(board.text, element, changes));
 }
 
 function drawValue(element, [name, unit, choices]) {

@@ -37,6 +37,16 @@ const tab = (name) => page.click(`#tab-${name}`);
 const average = () => page.evaluate(() => document.querySelector('#averages tbody tr:first-child td').textContent);
 const example = (name) => page.evaluate((n) => { const s = document.getElementById('example'); s.value = n; s.dispatchEvent(new Event('change')); }, name);
 
+const screens = [[1440, 900, 'light'], [1440, 900, 'dark'], [390, 844, 'light'], [390, 844, 'dark']];
+async function shots(name) {
+    for (const [width, height, scheme] of screens) {
+        await page.setViewport({ width, height });
+        await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: scheme }]);
+        writeFileSync(join(process.env.SHOTS, `${name}-${width}-${scheme}.png`), await page.screenshot({ fullPage: true }));
+    }
+    await page.setViewport({ width: 1440, height: 900 });
+}
+
 async function drag(handle, dx, dy) {
     await idle();
     const reach = `[data-handle="${handle}"] .reach`;
@@ -179,6 +189,57 @@ check('a sheet is drawn', await until(() => document.querySelector('#sheet img')
 await tab('axon');
 check('the axonometric view is drawn', await until(() => document.querySelectorAll('#lower .face').length > 2));
 
+// ---- a year ----
+
+await tab('year');
+check('without a weather file the year says what it needs', await page.evaluate(() => /weather file/.test(document.getElementById('year-weather').textContent) && document.getElementById('year-button').disabled));
+await tab('figures');
+await page.evaluate((n) => { document.getElementById('year-error').value = n; }, '5');
+await drop('year.epw', readFileSync(process.argv[4], 'utf8'));
+check('a dropped weather file opens the year', await until(() => !document.getElementById('panel-year').hidden && /Brussels/.test(document.getElementById('year-weather').textContent)));
+check('its first map comes before the last', await until(() => /Simulating mean.*largest error/.test(document.getElementById('year-state').textContent) && document.getElementById('year-map').width === 365));
+check('and then the whole', await until(() => /^Simulated mean/.test(document.getElementById('year-state').textContent)));
+check('with a legend in lux and a table of the months', await page.evaluate(() => document.querySelectorAll('#year-legend .swatch').length === 9 && document.querySelectorAll('#year-months tbody tr').length === 12));
+// Clear from 9 to 16 h: noon is lit and midnight dark, in the picture and for who reads it.
+const colours = await page.evaluate(() => {
+    const canvas = document.getElementById('year-map'), at = (slot) => [...canvas.getContext('2d').getImageData(171, 23 - slot, 1, 1).data].join();
+    return [at(12), at(0)];
+});
+check('noon and midnight have different colours', colours[0] !== colours[1], colours);
+await page.focus('#year-map');
+await page.keyboard.press('ArrowRight');
+check('an arrow key reads an hour', await until(() => /^\d+ June, 12:00 to 13:00: \d+ lx$/.test(document.getElementById('year-hour').textContent)), await page.evaluate(() => document.getElementById('year-hour').textContent));
+const share = await page.evaluate(() => document.querySelector('#year-figures dd').textContent);
+check('figures have their errors and units', /^[\d.]+( \u00b1 [\d.]+)? %$/.test(share), share);
+await page.evaluate(() => { window.pepperpot.board.pointer = [1.5, 2]; });
+await page.select('#year-of', 'pointer');
+check('the position under the pointer has its own map', await until(() => /^Simulated at 1.5, 2 m/.test(document.getElementById('year-state').textContent)));
+await page.select('#year-error', '1');
+await page.click('#year-button');
+check('the year stops', await until(() => document.getElementById('year-state').textContent === 'Stopped' && document.getElementById('year-button').textContent === 'Simulate'));
+if (process.env.SHOTS) await shots('year');
+await tab('sheets');
+check('the chart of availability uses the weather file, too', await until(() => document.getElementById('sheet-kind').value === 'availability' && document.querySelector('#sheet img')?.naturalWidth > 0));
+
+// ---- roofs and blinds ----
+
+await example('office');
+await idle();
+await select('plan');
+await page.evaluate(() => { const e = document.getElementById('value-roof'); e.value = 'gable'; e.dispatchEvent(new Event('change')); });
+await idle();
+check('a roof gets a pitch', (await attribute('plan', 'pitch')) === '30');
+await tab('section');
+await drag('section pitch', 0, -12);
+check('whose handle sets it', Number(await attribute('plan', 'pitch')) > 30, await attribute('plan', 'pitch'));
+await page.evaluate(() => { const e = document.getElementById('value-roof'); e.value = 'flat'; e.dispatchEvent(new Event('change')); });
+check('a flat roof has none', (await attribute('plan', 'pitch')) === undefined);
+await page.select('#add', 'blind');
+await until(() => window.pepperpot.board.element?.name === 'blind' && document.getElementById('value-angle'));
+await page.focus('#value-angle');
+await page.keyboard.press('ArrowUp');
+check('an arrow key turns the slats of a blind by a degree', (await attribute('blind', 'angle')) === '1', await attribute('blind', 'angle'));
+
 // ---- for everybody ----
 
 if (process.env.AXE) {
@@ -186,7 +247,8 @@ if (process.env.AXE) {
     const found = await page.evaluate(async () => (await window.axe.run()).violations.filter((v) => ['serious', 'critical'].includes(v.impact)).map((v) => `${v.id}: ${v.nodes[0].html}`));
     check('axe-core finds nothing serious', found.length === 0, found);
 }
-for (const [width, height, scheme] of [[1440, 900, 'light'], [1440, 900, 'dark'], [390, 844, 'light'], [390, 844, 'dark']]) {
+await tab('year');
+for (const [width, height, scheme] of screens) {
     await page.setViewport({ width, height });
     await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: scheme }]);
     check(`nothing is wider than ${width} px, ${scheme}`, await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), await page.evaluate(() => document.documentElement.scrollWidth));

@@ -197,6 +197,9 @@ stops_year() {
     [ -n "$begun" ] && [ -z "$(children)" ]
 }
 check "the year stops when the client has gone" stops_year
+asks "$examples/building.xml" "{\"weather\":\"$hash\",\"samples\":1,\"points\":[[1,1]]}"
+check "of a building, annual streams the first room" answers 200 annual
+check "by its name" holds '"annual":{.*"room":"Living room"'
 asks "$deep" "{\"weather\":\"$hash\",\"samples\":3}"
 check "a number of paths that annual does not accept is refused" answers 400 annual
 asks "$deep" "{\"weather\":\"$hash\",\"samples\":16,\"points\":[[1.5,2]],\"format\":\"json\"}"

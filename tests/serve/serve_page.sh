@@ -22,5 +22,6 @@ if [ -n "$why_page" ]; then
     tap_done
     exit
 fi
+awk -f "$srcdir/tests/lib/clear_year.awk" >"$scratch/year.epw"
 serve "$deep"
-node "$srcdir/tests/serve/page_test.mjs" "$(cat "$scratch/address")" "$deep" 2>&1
+node "$srcdir/tests/serve/page_test.mjs" "$(cat "$scratch/address")" "$deep" "$scratch/year.epw" 2>&1
