@@ -293,6 +293,43 @@ static void beside_a_record_the_error_is_of_second_order(void **state)
     pp_light_scene_destroy(scene);
 }
 
+/* The nearest point of a wall is at the foot of the perpendicular, not where a ray met
+ * the wall: exact but for the single precision of the normals. */
+static void a_wall_is_as_far_as_the_foot_of_its_perpendicular(void **state)
+{
+    (void)state;
+    enum { FEW = 16, SECTOR = 3 };
+    static struct pp_cache_hemisphere_cell cells[FEW * FEW];
+    static struct pp_sobol sobol;
+    const double azimuth = (SECTOR + 0.43) * 2.0 * PP_PI / PP_CACHE_SECTORS;
+    const double distance = 1.13;
+    struct pp_vec3 out = {cos(azimuth), sin(azimuth), 0.0};
+    struct pp_vec3 along = {-out.y, out.x, 0.0};
+    struct pp_vec3 low = pp_vec_along(pp_vec_scale(out, distance), -2.0, along);
+    struct pp_vec3 far = pp_vec_along(pp_vec_scale(out, distance), 2.0, along);
+    const struct pp_vec3 wall[4] = {low, pp_vec(low.x, low.y, 1.0),
+                                    pp_vec(far.x, far.y, 1.0), far};
+    struct pp_light_scene *scene = shining_on_floor(wall);
+    struct pp_vec3 *corners = pp_cache_hemisphere_corners(FEW);
+    struct pp_cache_record_settings settings = {.side = FEW,
+                                                .corners = corners,
+                                                .error = 0.1,
+                                                .noise = 0.1,
+                                                .least_m = 0.01,
+                                                .most_m = 1.0};
+    struct pp_cache_place place = {{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, PP_ANYWHERE};
+    struct pp_radiance_state path_state = {.scene = scene,
+                                           .options = pp_radiance_state_defaults()};
+    struct pp_cache_entry entry;
+    pp_sobol_init(&sobol);
+    pp_sobol_sequence_init(&path_state.sequence, &sobol, 5);
+    pp_cache_record_compute(&settings, &path_state, &place, cells, &entry);
+    assert_int_equal(pp_cache_entry_sector(out.x, out.y), SECTOR);
+    assert_near(entry.horizon_m[SECTOR], distance, 1e-6 * distance);
+    free(corners);
+    pp_light_scene_destroy(scene);
+}
+
 /* R = (4 e / (pi l))^(1/4) is 1/2 for e = pi/4 and l = 16. */
 static void an_ellipse_is_short_where_curvature_is_great(void **state)
 {
@@ -324,6 +361,7 @@ TEST_FILE
         cmocka_unit_test(a_hemisphere_includes_objects_on_its_horizon),
         cmocka_unit_test(a_record_is_read_by_a_leaning_surface),
         cmocka_unit_test(beside_a_record_the_error_is_of_second_order),
+        cmocka_unit_test(a_wall_is_as_far_as_the_foot_of_its_perpendicular),
         cmocka_unit_test(an_ellipse_is_short_where_curvature_is_great),
     };
     add_tests(tests, NULL, NULL);

@@ -207,6 +207,55 @@ static void the_clearest_glass_mirrors_at_its_sides(void **state)
     images_are_what_rays_find(CLEAREST_ROOM, 1.0);
 }
 
+/* Windows in three walls: the south window's glass shows only the rear parts of the
+ * other two. */
+#define THREE_SIDES                                                                    \
+    "<room version='1'><plan width='4.3' depth='5.1' height='3.2'/>"                   \
+    "<window wall='south' left='0.4' sill='0.7' width='2.3' height='1.9'/>"            \
+    "<window wall='east' left='0.5' sill='0.9' width='3.1' height='1.7'/>"             \
+    "<window wall='west' left='1.5' sill='0.9' width='3.1' height='1.7'/>"             \
+    "<point x='1.7' y='2.7' z='0.2'/></room>"
+
+/* Mirrored back at the glass, each sampled direction passes through the opening that it
+ * is aimed at; 1e-6 m for the rounding of the scene's coordinates. */
+static void every_direction_to_an_image_ends_in_its_opening(void **state)
+{
+    (void)state;
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, THREE_SIDES);
+    struct pp_light_scene *scene = pp_test_matt_scene(world);
+    struct pp_environment *environment = pp_test_light_on(scene, &light);
+    struct pp_glass_view view = {0};
+    const struct pp_receiver *at = &world->receivers[0];
+    struct pp_vec3 point = pp_vec_sub(at->position, scene->centre);
+    for (int i = 0; i < 1000; i++) {
+        const double u[3] = {(i % 10 + 0.5) / 10, (i / 10 % 10 + 0.5) / 10,
+                             (i / 100 + 0.5) / 10};
+        struct pp_vec3 to;
+        double pdf;
+        int image = pp_glass_images_sample(scene, &view, point, at->normal,
+                                           environment->brightness, u, &to, &pdf);
+        assert_true(image >= 0 && pdf > 0.0);
+        const struct pp_target *glass =
+            &scene->panes[scene->glass_images[image].glass].target;
+        const struct pp_target *window =
+            &scene->panes[scene->glass_images[image].window].target;
+        struct pp_vec3 from =
+            pp_vec_along(point, -2.0 * pp_target_height(glass, point), glass->normal);
+        struct pp_vec3 ahead = pp_vec_mirrored(to, glass->normal);
+        double distance =
+            -pp_target_height(window, from) / pp_vec_dot(ahead, window->normal);
+        struct pp_vec3 end =
+            pp_vec_sub(pp_vec_along(from, distance, ahead), window->corner);
+        double x = pp_vec_dot(end, window->along), y = pp_vec_dot(end, window->up);
+        assert_true(x > -1e-6 && x < window->width_m + 1e-6);
+        assert_true(y > -1e-6 && y < window->height_m + 1e-6);
+    }
+    pp_environment_destroy(environment);
+    pp_light_scene_destroy(scene);
+    pp_world_destroy(world);
+}
+
 /* Only the windows are mirrors, not the six unglazed openings among them. Of 72 pairs
  * of windows the 32 with the largest contribution are kept, in the glass of both
  * walls. */
@@ -265,6 +314,7 @@ TEST_FILE
         cmocka_unit_test(black_room_reflects_one_window_in_the_glass_of_the_other),
         cmocka_unit_test(images_in_glass_are_what_rays_find_there),
         cmocka_unit_test(the_clearest_glass_mirrors_at_its_sides),
+        cmocka_unit_test(every_direction_to_an_image_ends_in_its_opening),
         cmocka_unit_test(pairs_are_of_glass_and_those_that_have_most_of_each_other),
         cmocka_unit_test(windows_in_one_plane_have_no_images),
     };
