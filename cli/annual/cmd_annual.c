@@ -391,7 +391,7 @@ static const struct pp_option method_options[] = {
     {"exact-sky", 0, NULL,
      "Evaluate the sky and sun of each hour at the end of every path, without patches "
      "and cells. This reference calculation is slow and does not include the blinds of "
-     "LM-83.",
+     "LM-83. --samples sets its number of paths (default 128).",
      NULL, PLACE(annual.exact_sky)},
     {0},
 };
@@ -458,6 +458,9 @@ static enum pp_status check_annual_options(void *values, char **files, int file_
     study->simulate = true;
     enum pp_status status = pp_annual_stores_check(&options->stores, study->error > 0.0,
                                                    options->annual.exact_sky, err);
+    if (study->error <= 0.0 && study->samples == 0 && !options->stores.from
+        && !options->annual.exact_sky)
+        study->error = 0.01;
     if (status == PP_OK)
         status = pp_blinds_option_check(&options->blinds, err);
     if (status == PP_OK)
