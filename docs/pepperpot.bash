@@ -53,7 +53,7 @@ _pepperpot()
             sed -n '/^Methods:/,$s/^  \([a-z][a-z-]*\) .*/\1/p')
         mapfile -t COMPREPLY < <(compgen -W "$methods" -- "$word")
     elif [ "$command" = assess ] && [ "$previous" = --for ]; then
-        local profiles='uk-planning en17037 uk-dwellings breeam leed-v4.1 rights-of-light de-dwelling'
+        local profiles='uk-planning br209-2022 en17037 uk-dwellings breeam leed-v4.1 rights-of-light de-dwelling'
         profiles+=" $("$program" assess --rules -f csv 2>/dev/null | sed '1d; s/,.*//' | uniq | tr '\n' ' ')"
         mapfile -t COMPREPLY < <(compgen -W "$profiles" -- "$word")
     elif [ "$previous" = --state ]; then

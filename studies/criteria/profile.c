@@ -6,14 +6,23 @@
 
 #include "model/base/text.h"
 
+/* BR 209:2022: criteria for existing neighbours, and for new rooms. */
+#define OF_NEIGHBOURS                                                                  \
+    "vertical-sky,former-sky,obstruction,sunlight,gardens,no-sky-line,mirror-image"
+#define OF_NEW "gardens,uk-annex,sun-exposure"
+
 static const struct pp_profile profiles[] = {
     {.name = "uk-planning",
      .summary = "daylight and sunlight of neighbours and new rooms, by BR 209",
-     .criteria = "vertical-sky,former-sky,obstruction,sunlight,gardens,no-sky-line,"
-                 "mirror-image,uk-annex,sun-exposure",
-     .of_neighbours = "vertical-sky,former-sky,obstruction,sunlight,gardens,"
-                      "no-sky-line,mirror-image",
-     .of_new = "gardens,uk-annex,sun-exposure",
+     .criteria = OF_NEIGHBOURS ",uk-annex,sun-exposure",
+     .of_neighbours = OF_NEIGHBOURS,
+     .of_new = OF_NEW,
+     .country = "GB"},
+    {.name = "br209-2022",
+     .summary = "the same as uk-planning, by the name of its edition",
+     .criteria = OF_NEIGHBOURS ",uk-annex,sun-exposure",
+     .of_neighbours = OF_NEIGHBOURS,
+     .of_new = OF_NEW,
      .country = "GB"},
     {.name = "en17037",
      .summary = "daylight provision, view out, sunlight and glare by EN 17037",

@@ -213,6 +213,10 @@ check "no latitude, no sun" sh -c "
 check "hours of sun in h" shows '"unit": "h"' \
     assess --by-hand -c sun-exposure -f json --room Study "$site"
 
+"$pepperpot" assess --by-hand --for uk-planning -f csv "$site" >"$scratch/planning.csv"
+"$pepperpot" assess --by-hand --for br209-2022 -f csv "$site" >"$scratch/br209.csv"
+check "BR 209 of 2022 is the rule of planning" \
+    cmp "$scratch/planning.csv" "$scratch/br209.csv"
 check "a profile by its name" refuses 2 "did you mean uk-planning?" \
     assess --for uk-planing "$site"
 check "--for or --criteria" refuses 2 "expected only one of them" assess --for en17037 -c vsc "$site"
