@@ -105,6 +105,11 @@ check "an interrupted chart of a year leaves the old file" \
     stops chart year -w "$scratch/year.epw" --samples 8192
 check "so does a plan of a moment" stops chart plan --sky perez,600,120,35,170 --samples 8192
 
+run annual -w "$scratch/year.epw" -f csv "$room"
+cp "$scratch/out" "$scratch/default.csv"
+run annual -w "$scratch/year.epw" -f csv --error 1% "$room"
+check "the default is a standard error of 1 %" cmp "$scratch/out" "$scratch/default.csv"
+
 # LEED's findings use the figures of annual.
 sed '/<line/d; s|</room>|<grid spacing="1" margin="0"/></room>|' "$deep" >"$scratch/grid.xml"
 run annual -w "$scratch/year.epw" -f json "$scratch/grid.xml"

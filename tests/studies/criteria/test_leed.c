@@ -2,6 +2,7 @@
 #include "studies/criteria/criteria.h"
 #include <string.h>
 
+#include "studies/criteria/rules/rule_set.h"
 #include "tests/lib/room_of.h"
 
 /* A completed year on a grid with blinds and LM-83's hours. */
@@ -41,6 +42,35 @@ static void each_threshold_that_is_reached_is_a_point(void **state)
     pp_finding_list_clear(&findings);
 }
 
+/* With too much sun on 15 % of its area, a room fails version 4 of the credit. Version 4.1
+ * keeps its area, and requires an explanation. */
+static void sun_on_15_percent_fails_version_4_alone(void **state)
+{
+    (void)state;
+    const struct pp_annual_sheet year = year_of(0.6, 0.0, 0.15);
+    struct pp_world *world = pp_test_world(
+        "<room version='1'><plan width='3.7' depth='5.3' height='2.9'/></room>");
+    struct pp_rule_set version_4;
+    const struct pp_inquiry inquiry = {
+        .year = &year, .world = world, .rules = &version_4};
+    struct pp_finding_list findings = {0};
+    assert_true(pp_rule_set_init(&version_4, "leed-v4"));
+    assert_int_equal(version_4.criterion.evaluate(&inquiry, &findings, NULL), PP_OK);
+    assert_int_equal(findings.count, 3);
+    assert_int_equal(findings.list[0].verdict, PP_MET);
+    assert_int_equal(findings.list[2].verdict, PP_NOT_MET);
+    assert_false(findings.list[2].is_optional);
+    pp_finding_list_clear(&findings);
+    pp_world_destroy(world);
+
+    findings = judged(&year);
+    assert_int_equal(findings.list[0].verdict, PP_MET);
+    assert_int_equal(findings.list[3].verdict, PP_NOT_MET);
+    assert_true(findings.list[3].is_optional);
+    assert_non_null(strstr(findings.list[3].note, "explain"));
+    pp_finding_list_clear(&findings);
+}
+
 /* One standard error from the threshold: 84 % probability, which is not enough. */
 static void area_near_a_threshold_is_undecided(void **state)
 {
@@ -77,6 +107,7 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_threshold_that_is_reached_is_a_point),
+        cmocka_unit_test(sun_on_15_percent_fails_version_4_alone),
         cmocka_unit_test(area_near_a_threshold_is_undecided),
         cmocka_unit_test(no_points_without_grid_blinds_or_year),
     };
