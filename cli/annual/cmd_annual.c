@@ -95,7 +95,7 @@ static void settle_annual(struct annual_run *run)
     annual->coefficients = options->stores.matrix != NULL;
     pp_lighting_option_settle(annual, &options->lighting);
     annual->samples = (int)study->samples;
-    annual->error = study->error;
+    annual->error = study->error > 0.0 ? study->error : 0.01; /* unless samples > 0 */
     annual->seed = study->seed;
     annual->threads = study->threads;
     annual->strict = study->strict;
@@ -458,9 +458,6 @@ static enum pp_status check_annual_options(void *values, char **files, int file_
     study->simulate = true;
     enum pp_status status = pp_annual_stores_check(&options->stores, study->error > 0.0,
                                                    options->annual.exact_sky, err);
-    if (study->error <= 0.0 && study->samples == 0 && !options->stores.from
-        && !options->annual.exact_sky)
-        study->error = 0.01;
     if (status == PP_OK)
         status = pp_blinds_option_check(&options->blinds, err);
     if (status == PP_OK)
