@@ -59,6 +59,8 @@ enum pp_status pp_assess_run_compute(void *data, struct pp_error *err)
         .least_altitude_rad = run->words->least_altitude_rad,
         .trace_again = study->simulate,
         .of_averages = run->words->of_averages,
+        .verdicts_only =
+            run->words->gains_rooms > 0 && rooms->count > run->words->gains_rooms,
         .mirrored = &mirrored,
         .cumulative = &cumulative,
         .with_year = run->words->with_year,

@@ -59,6 +59,9 @@ struct pp_assess_words {
                                 * the room file */
     bool with_year;            /* report: include a section on the simulated year */
     bool full;                 /* report: print all sections for every room */
+    int gains_rooms;           /* report: improvements are searched for at most this
+                                * many rooms, because a longer report does not show
+                                * them; 0: for any number */
     bool of_averages;          /* report: averages are printed, so the target error of
                                 * the simulation applies to averages too */
 };

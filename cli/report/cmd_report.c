@@ -56,8 +56,10 @@ static const struct pp_option number_option[] = {
 
 static const struct pp_option full_option[] = {
     {"full", 0, NULL,
-     "Show the data, averages, effect of changes, plan and section of each room. "
-     "Without this option, a report of more than two rooms shows only their criteria.",
+     "Show the data, averages, criteria, effect of changes, plan and section of each "
+     "room. Without this option, a report of more than two rooms has one table for "
+     "each "
+     "criterion, with a row for each room.",
      NULL, PLACE(full)},
     {"year", 0, NULL,
      "With --weather: also simulate every hour of the year, and show sDA, ASE, "
@@ -304,6 +306,7 @@ static enum pp_exit run_report(void *values, char **files, int file_count)
 {
     struct pp_assess_words *words = values;
     words->of_averages = true;
+    words->gains_rooms = words->full ? 0 : SHORT_ROOMS;
     return pp_assess_run(words, "report", files, file_count, print_site_report);
 }
 

@@ -158,16 +158,14 @@ static void put_answer(struct pp_document *document, const struct pp_answer *ans
         put_finding(document, &findings->list[i]);
 }
 
-static void put_answers(struct pp_document *document, const struct pp_assessment *room,
-                        bool full)
+static void put_answers(struct pp_document *document, const struct pp_assessment *room)
 {
     if (room->answers.count == 0) {
         pp_document_paragraph(document, PP_TONE_PLAIN,
                               "None of the selected criteria applies to this room.");
         return;
     }
-    if (full)
-        pp_document_heading(document, 3, "Criteria");
+    pp_document_heading(document, 3, "Criteria");
     pp_document_table(document);
     pp_document_column(document, PP_COLUMN_WORDS, "what");
     pp_document_column(document, PP_COLUMN_NUMBERS, "found");
@@ -210,15 +208,13 @@ void pp_room_chapter(struct pp_document *document, const struct pp_site_report *
 {
     const struct pp_assessment *one = &report->all->list[room];
     const char *name = one->room->world->name;
-    pp_document_heading(document, report->full ? 2 : 3, "%s", name ? name : "Room");
-    if (report->full) {
-        put_facts(document, one);
-        put_averages(document, &one->report);
-    }
-    put_answers(document, one, report->full);
-    if (one->has_gains && report->full)
+    pp_document_heading(document, 2, "%s", name ? name : "Room");
+    put_facts(document, one);
+    put_averages(document, &one->report);
+    put_answers(document, one);
+    if (one->has_gains)
         put_gains(document, &one->gains);
-    if (one->has_year && one->year.finished && report->full)
+    if (one->has_year && one->year.finished)
         pp_year_section(document, &one->year);
     pp_room_chapter_pictures(document, report, room);
 }

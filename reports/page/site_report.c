@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "model/base/text.h"
+#include "reports/page/criteria_tables.h"
 #include "reports/page/limits_chapter.h"
 #include "reports/page/made_chapter.h"
 #include "reports/page/project_table.h"
@@ -413,11 +414,13 @@ enum pp_status pp_site_report(struct pp_document *document,
     enum pp_status status = put_tables(document, all, err);
     if (status == PP_OK && !report->full)
         status = put_years(document, all, err);
-    if (!report->full)
+    if (!report->full) {
         pp_document_heading(document, 2, "Rooms");
-    if (!report->full)
         pp_rooms_table(document, all);
-    for (int i = 0; i < all->count; i++)
+        if (status == PP_OK)
+            status = pp_criteria_tables(document, all, err);
+    }
+    for (int i = 0; i < all->count && report->full; i++)
         pp_room_chapter(document, report, i);
     pp_limits_chapter(document, report);
     if (status == PP_OK)

@@ -32,6 +32,11 @@ check "how it was made" \
     grep -q "pepperpot report --for uk-planning --full --by-hand .*${site##*/}" "$page"
 check "a page of dwellings" gives report --by-hand --for uk-dwellings -f html "$site"
 check "what the country asks" grep -q "kitchen: 200 lx over 50 %" "$scratch/out"
+check "in one table of all rooms" test \
+    "$(grep -c "<h3>EN 17037, UK annex for dwellings" "$scratch/out")" -eq 1
+check "with a row for each figure of assess" test \
+    "$(grep -c "lx over 50 %</td><td>" "$scratch/out")" -eq \
+    "$("$pepperpot" assess --by-hand --for uk-dwellings "$site" | grep -c "[0-9] lx over ")"
 check "what the methods' figures contain" grep -q "bre</td>.*\[BRE310\]</td>.*>clear single glass and the frame<" "$scratch/out"
 check "and the works that it names" grep -q "\[BR209\]</td><td class=\"w\">Littlefair" "$page"
 check "its contents lead to the chapters" test \
