@@ -2,6 +2,7 @@
  * calculated from it. */
 #include "methods/lumen/lumen_cavity.h"
 #include "methods/lumen/lumen_room.h"
+#include "methods/lumen/lumen_scope.h"
 #include "methods/lumen/lumen_table.h"
 #include "methods/lumen/rectangle_factor.h"
 #include "methods/exact/solid_angle.h"
@@ -274,6 +275,21 @@ static void top_table_is_what_the_cavity_gives(void **state)
     pp_lumen_table_destroy(table);
 }
 
+/* Walls: 2 (4.1 + 5.3) 2.7 = 50.76 m2 of reflectance 0.6, of which a door of 1.9 m2
+ * reflects 0.2; the mean is 0.6 - 0.4 * 1.9 / 50.76. */
+static void a_door_counts_for_the_area_of_wall_that_it_covers(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(
+        "<room version='1'><plan width='4.1' depth='5.3' height='2.7'/>"
+        "<finishes floor='0.2' walls='0.6' ceiling='0.7'/>"
+        "<door wall='north' left='1' width='0.95' height='2' reflectance='0.2'/>"
+        "<point x='2' y='2'/></room>");
+    assert_near(pp_lumen_scope_wall_reflectance(world, -1), 0.6 - 0.4 * 1.9 / 50.76,
+                1e-12);
+    pp_world_destroy(world);
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
@@ -288,6 +304,7 @@ TEST_FILE
         cmocka_unit_test(clear_skies_have_their_ratio),
         cmocka_unit_test(table_is_good_between_its_lines),
         cmocka_unit_test(light_from_above_has_its_limits),
+        cmocka_unit_test(a_door_counts_for_the_area_of_wall_that_it_covers),
         cmocka_unit_test(top_table_is_what_the_cavity_gives),
     };
     add_tests(tests, NULL, NULL);

@@ -75,7 +75,7 @@ static void sun_on_15_percent_fails_version_4_alone(void **state)
 static void area_near_a_threshold_is_undecided(void **state)
 {
     (void)state;
-    const struct pp_annual_sheet year = year_of(0.41, 0.01, 0.3);
+    const struct pp_annual_sheet year = year_of(0.41, 0.01, 0.101);
     struct pp_finding_list findings = judged(&year);
     assert_int_equal(findings.list[0].verdict, PP_UNDECIDED);
     assert_near(findings.list[0].confidence, 0.8413, 1e-4);
