@@ -16,6 +16,9 @@ static const double LANDSCAPE_RAD = 5.0 * PP_RAD;
  * more than 45 degrees from the vertical are ignored. */
 static const double RISE_MOST = 0.70710678118654757;
 
+/* Step of the golden ratio, which spreads the lines evenly over any height. */
+static const double GOLDEN = 0.6180339887498949;
+
 const double pp_view_out_angle_rad[4] = {0.0, 14.0 * PP_RAD, 28.0 * PP_RAD,
                                          54.0 * PP_RAD};
 const double pp_view_out_distance_m[4] = {0.0, 6.0, 20.0, 50.0};
@@ -163,16 +166,16 @@ static enum pp_status add_view_lines(
     int lines, struct pp_error *err)
 {
     const struct pp_bounds2 bounds = pp_region_bounds(part);
-    const double dx = (bounds.high[0] - bounds.low[0]) / lines;
-    const double dy = (bounds.high[1] - bounds.low[1]) / lines;
+    const double wide = bounds.high[0] - bounds.low[0];
+    const double high = bounds.high[1] - bounds.low[1];
     const double depth_m =
         pp_vec_dot(pp_vec_sub(opening->outer.vertices[0], eye), axes->out);
     enum pp_status status =
-        pp_array_reserve(&sum->lines, &sum->line_space, sum->line_count + lines * lines,
+        pp_array_reserve(&sum->lines, &sum->line_space, sum->line_count + lines,
                          sizeof *sum->lines, err);
-    for (int i = 0; i < lines * lines && status == PP_OK; i++) {
-        double x = bounds.low[0] + (i % lines + 0.5) * dx;
-        double y = bounds.low[1] + (i / lines + 0.5) * dy;
+    for (int i = 0; i < lines && status == PP_OK; i++) {
+        double x = bounds.low[0] + wide * (i + 0.5) / lines;
+        double y = bounds.low[1] + high * fmod(0.5 + i * GOLDEN, 1.0);
         if (!pp_region_contains(part, x, y))
             continue;
         struct pp_vec3 v = axes_direction(axes, x, y);
@@ -186,8 +189,8 @@ static enum pp_status add_view_lines(
         if (distance_m < NEAR_M)
             continue;
         *layers |= layer;
-        sum->lines[sum->line_count++] =
-            (struct view_line){distance_m, dx * dy * pow(1.0 + x * x + y * y, -1.5)};
+        sum->lines[sum->line_count++] = (struct view_line){
+            distance_m, wide * high / lines * pow(1.0 + x * x + y * y, -1.5)};
     }
     return status;
 }

@@ -13,8 +13,8 @@
  *
  * The standard does not define the distance; these rules are documented by
  * ClimateStudio. An opening is counted if its glass is clear and inclined by at most 45
- * degrees from the vertical. Distance and layers are found by a lattice of lines of
- * sight through each opening.
+ * degrees from the vertical. Distance and layers are found by lines of sight that are
+ * spread evenly over each opening.
  */
 #ifndef PP_STUDIES_VIEW_OUT_H
 #define PP_STUDIES_VIEW_OUT_H
@@ -44,12 +44,14 @@ struct pp_view_out {
                           * opening; 0: no opening shows landscape */
 };
 
-/* Number of lines of sight along each side of an opening's visible part. */
-enum { PP_VIEW_OUT_LINES = 48 };
+/* Number of lines of sight through the rectangle around an opening's visible part. Each
+ * has its own height: over level ground the lines of one height end at nearly the same
+ * distance, and few heights give a coarse median. */
+enum { PP_VIEW_OUT_LINES = 4096 };
 
 /* Calculates the view from an eye in the room. scene: scene of the world
- * (light_scene_of_world.h); lines: number along each side of an opening;
- * PP_VIEW_OUT_LINES, or more for a finer lattice. */
+ * (light_scene_of_world.h); lines: number through each opening;
+ * PP_VIEW_OUT_LINES, or more for a finer pattern. */
 enum pp_status pp_view_out_from(struct pp_view_out *view, const struct pp_world *world,
                                 const struct pp_light_scene *scene, struct pp_vec3 eye,
                                 int lines, struct pp_error *err);

@@ -131,6 +131,23 @@ static void a_french_window_over_open_ground_has_all_layers(void **state)
     assert_int_equal(pp_view_out_level(&view), PP_VIEW_HIGH);
 }
 
+/* A narrow slit shows level ground from atan(1.2/3) below the horizon up to it. Half of
+ * its solid angle lies below the mean of the sines: sin a = 0.1874, and the ground is
+ * (21.2 - 3 tan a)/sin a beyond the glass. */
+static void median_over_open_ground_is_at_the_mean_of_the_sines(void **state)
+{
+    (void)state;
+    struct pp_view_out view =
+        view_from("<room version='1'><site ground-level='-20'/>"
+                  "<plan width='4' depth='6' height='3'/>"
+                  "<window wall='south' left='1.99' sill='0' width='0.02' "
+                  "height='1.19'/></room>",
+                  2.0, 3.0, 1.2);
+    double sine = (sin(atan(1.2 / 3.0)) + sin(atan(0.01 / 3.0))) / 2.0;
+    double distance_m = 21.2 / sine - 3.0 / sqrt(1.0 - sine * sine);
+    assert_near(view.distance_m, distance_m, 0.003 * distance_m);
+}
+
 static void rooflights_and_diffusing_glass_give_no_view(void **state)
 {
     (void)state;
@@ -156,6 +173,7 @@ TEST_FILE
         cmocka_unit_test(a_skyline_hides_as_the_block_in_its_place),
         cmocka_unit_test(a_high_window_shows_sky_alone_and_is_no_view),
         cmocka_unit_test(a_french_window_over_open_ground_has_all_layers),
+        cmocka_unit_test(median_over_open_ground_is_at_the_mean_of_the_sines),
         cmocka_unit_test(rooflights_and_diffusing_glass_give_no_view),
     };
     add_tests(tests, NULL, NULL);
