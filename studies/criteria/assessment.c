@@ -16,6 +16,7 @@
 #include "studies/criteria/pair_rooms.h"
 #include "studies/criteria/room_before.h"
 #include "studies/criteria/rules/rule_points.h"
+#include "studies/criteria/windows/traced_windows.h"
 #include "studies/criteria/year/assessed_year.h"
 #include "studies/study_report.h"
 
@@ -82,6 +83,7 @@ static struct pp_inquiry inquiry_of(const struct pp_assessment *assessment,
         .glare = assessment->has_glare ? &assessment->glare : NULL,
         .rules = options->rules,
         .points = assessment->point_list ? &assessment->points : NULL,
+        .windows = assessment->windows,
         .french_m = options->french_m,
         .least_altitude_rad = options->least_altitude_rad,
         .country = options->profile && !own[0] ? options->profile->country : own,
@@ -412,6 +414,11 @@ enum pp_status pp_assessment_judge(struct pp_assessment *assessment,
                                         &assessment->by_clock, err);
         assessment->report.finished &= assessment->points.finished;
     }
+    if (status == PP_OK && options->rules && options->rules->of_windows
+        && options->study->simulate)
+        status = pp_traced_windows_light(
+            &assessment->windows, assessment->room->world, &assessment->room->light,
+            options->study, &assessment->report.finished, &assessment->by_clock, err);
     if (status == PP_OK)
         status = judge_room(assessment, chosen, any_criterion, options, err);
     while (status == PP_OK && options->trace_again && assessment->report.finished
@@ -451,6 +458,7 @@ void pp_assessment_clear(struct pp_assessment *assessment)
     pp_plane_grid_clear(&assessment->year_grid);
     pp_report_clear(&assessment->points);
     free(assessment->point_list);
+    free(assessment->windows);
     free(assessment->pairs);
     free(assessment->mirrored_pairs);
     free(assessment->cumulative_pairs);

@@ -89,6 +89,8 @@ struct pp_assessment {
     struct pp_gains gains;
     struct pp_receiver *point_list; /* the rules' points; owned */
     struct pp_report points;        /* daylight factors at point_list */
+    struct pp_reading *windows;     /* simulated illuminances of the windows' outsides;
+                                     * NULL: not simulated; owned */
     struct pp_plane_grid year_grid; /* grid of the simulated year; no cells if the year
                                      * has the room's own points */
     struct pp_annual_sheet year;    /* if has_year; owned */

@@ -55,6 +55,9 @@ struct pp_inquiry {
                                       * and working plane; NULL: none */
     const struct pp_report *points;  /* daylight factors at the rules' points; NULL: the
                                      * rules have none */
+    const struct pp_reading *windows;   /* for each opening the simulated illuminance of
+                                       * its outside, over Eh (traced_windows.h); NULL:
+                                       * not simulated */
     const struct pp_glare_sheet *glare; /* glare of the room's views in that year; NULL:
                                          * none */
     const char *country; /* ISO 3166 code of the country whose rules apply; "":

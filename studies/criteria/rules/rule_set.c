@@ -195,6 +195,7 @@ static void add_rule(struct pp_rule_set *set, const struct pp_rule *rule)
     set->only_year &= of_year;
     set->of_sda |= is_quantity(rule, &pp_rule_sda) || is_quantity(rule, &pp_rule_ase);
     set->of_average |= is_quantity(rule, &pp_rule_mean_factor);
+    set->of_windows |= is_quantity(rule, &pp_rule_vertical_factor);
     set->criterion.of_factors |= is_quantity(rule, &pp_rule_mean_factor)
                                  || is_quantity(rule, &pp_rule_share_factor)
                                  || is_quantity(rule, &pp_rule_uniformity);

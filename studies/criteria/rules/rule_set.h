@@ -14,6 +14,7 @@ struct pp_rule_set {
     const char *point;        /* "file" or "half-depth"; NULL: no row has points */
     bool of_average, of_year; /* true: a row needs the mean daylight factor; a row needs
                                * a year */
+    bool of_windows;          /* true: a row needs the vertical daylight factor */
     bool only_year;           /* true: all assessed rows need a year */
     bool of_sda;              /* true: a row needs the points of LM-83 */
     bool is_judged;           /* false: the table only lists these rules */

@@ -10,11 +10,45 @@
 #include "studies/criteria/windows/opening_words.h"
 #include "studies/criteria/windows/vertical_sky.h"
 
+/* Finding by hand: an obstruction has a fixed fraction of the luminance of the sky that
+ * it hides, and the ground is lit as in the open. Between high buildings both
+ * assumptions give too much light, so only light from the sky can show that the rule is
+ * met. */
+static struct pp_finding vertical_by_hand(const struct pp_exterior_light *outside,
+                                          double wanted, const char *words,
+                                          const char *what)
+{
+    struct pp_finding finding =
+        pp_finding_of(PP_FIGURE_FACTOR, outside->sky + outside->external, wanted, false,
+                      "%s: %s", words, what);
+    pp_finding_note(&finding, "%.1f %% from the sky, %.1f %% reflected",
+                    100.0 * outside->sky, 100.0 * outside->external);
+    if (finding.verdict == PP_MET && outside->sky < finding.wanted * (1.0 - 1e-9)) {
+        finding.verdict = PP_UNDECIDED;
+        pp_finding_note(&finding, "; reflected light is overestimated between "
+                                  "buildings");
+    }
+    return finding;
+}
+
+/* Finding by simulation, whose reflected light is that of the scene. */
+static struct pp_finding vertical_traced(const struct pp_exterior_light *outside,
+                                         const struct pp_reading *traced, double wanted,
+                                         const char *words, const char *what)
+{
+    struct pp_finding finding = pp_finding_of(PP_FIGURE_FACTOR, traced->value, wanted,
+                                              false, "%s: %s", words, what);
+    if (traced->std_error > 0.0)
+        pp_finding_sampled(&finding, traced->std_error,
+                           pp_finding_probability_at_least(
+                               traced->value, traced->std_error, finding.wanted));
+    pp_finding_note(&finding, "simulated; %.1f %% from the sky, %.1f %% reflected",
+                    100.0 * outside->sky, 100.0 * (traced->value - outside->sky));
+    return finding;
+}
+
 /* Assesses the illuminance at the centre of the window's outside from the sky, from
- * obstructions and from the ground, over Eh. An obstruction has a fixed fraction of the
- * luminance of the sky that it hides, and the ground is lit as in the open. Between
- * high buildings both assumptions give too much light, so only light from the sky can
- * show that the rule is met. */
+ * obstructions and from the ground, over Eh. */
 static enum pp_status judge_vertical(const struct pp_rule *rule,
                                      const struct pp_inquiry *inquiry, const char *what,
                                      struct pp_finding_list *findings,
@@ -41,17 +75,13 @@ static enum pp_status judge_vertical(const struct pp_rule *rule,
                 pp_vec_scale(opening->inner.normal, -1.0), opening->face, err);
             if (status != PP_OK)
                 return status;
-            finding =
-                pp_finding_of(PP_FIGURE_FACTOR, outside.sky + outside.external,
-                              0.01 * rule->threshold, false, "%s: %s", words, what);
-            pp_finding_note(&finding, "%.1f %% from the sky, %.1f %% reflected",
-                            100.0 * outside.sky, 100.0 * outside.external);
-            if (finding.verdict == PP_MET
-                && outside.sky < finding.wanted * (1.0 - 1e-9)) {
-                finding.verdict = PP_UNDECIDED;
-                pp_finding_note(&finding,
-                                "; reflected light is overestimated between buildings");
-            }
+            const struct pp_reading *traced =
+                inquiry->windows && isfinite(inquiry->windows[i].value)
+                    ? &inquiry->windows[i]
+                    : NULL;
+            double wanted = 0.01 * rule->threshold;
+            finding = traced ? vertical_traced(&outside, traced, wanted, words, what)
+                             : vertical_by_hand(&outside, wanted, words, what);
         }
         finding.line = opening->line;
         status = pp_finding_list_add(findings, &finding, err);

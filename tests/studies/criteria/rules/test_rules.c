@@ -5,6 +5,7 @@
 #include "studies/criteria/factors.h"
 #include "studies/criteria/rules/rule_quantity.h"
 #include "studies/criteria/rules/rule_set.h"
+#include "studies/criteria/windows/traced_windows.h"
 #include "tests/lib/room_of.h"
 
 #define PLAN                                                                           \
@@ -138,6 +139,56 @@ static void reflected_light_alone_does_not_meet_a_vertical_factor(void **state)
     assert_int_equal(findings.list[0].verdict, PP_UNDECIDED);
     assert_non_null(strstr(findings.list[0].note, "overestimated"));
     pp_finding_list_clear(&findings);
+}
+
+/* The first finding of hk-app-130 with simulated windows. */
+static struct pp_finding simulated_vertical_factor(const char *body)
+{
+    struct pp_outside_light light;
+    struct pp_rule_set set;
+    struct pp_reading *windows;
+    struct pp_study_options study = PP_STUDY_OPTIONS_NONE;
+    char text[2048];
+    bool finished = true, by_clock = false;
+    snprintf(text, sizeof text,
+             "<room version=\"1\" name=\"Test\" use=\"kitchen\">%s</room>", body);
+    struct pp_world *world = pp_test_lit_world(&light, text);
+    study.error = 0.01;
+    study.threads = 1;
+    assert_true(pp_rule_set_init(&set, "hk-app-130"));
+    assert_true(set.of_windows);
+    assert_int_equal(pp_traced_windows_light(&windows, world, &light, &study, &finished,
+                                             &by_clock, NULL),
+                     PP_OK);
+    assert_true(finished && !by_clock);
+    const struct pp_inquiry inquiry = {
+        .world = world, .light = &light, .windows = windows, .rules = &set};
+    struct pp_finding_list findings = {0};
+    assert_int_equal(set.criterion.evaluate(&inquiry, &findings, NULL), PP_OK);
+    struct pp_finding finding = findings.list[0];
+    pp_finding_list_clear(&findings);
+    free(windows);
+    pp_world_destroy(world);
+    return finding;
+}
+
+/* Without obstructions: the sky's 39.62 % and half of the ground's 0.2. Before the wall
+ * of the test above, no light comes from the sky, and the ground is dark as well. */
+static void simulated_vertical_factors_have_the_light_of_their_surroundings(
+    void **state)
+{
+    (void)state;
+    struct pp_finding open = simulated_vertical_factor(
+        "<site ground=\"open\" ground-reflectance=\"0.2\"/>" PLAN WINDOW(0.95));
+    assert_near(open.figure, 0.496177, 4.0 * open.std_error);
+    assert_true(open.std_error < 0.006);
+    assert_int_equal(open.verdict, PP_MET);
+    struct pp_finding dark = simulated_vertical_factor(PLAN WINDOW(
+        0.95) "<facade wall=\"south\" left=\"500\" right=\"500\" up=\"497\"/>"
+              "<block x=\"-500\" y=\"-3.2\" width=\"1000\" depth=\"0.2\" "
+              "height=\"500\"/>");
+    assert_true(dark.figure < 0.01);
+    assert_int_equal(dark.verdict, PP_NOT_MET);
 }
 
 /* A room without windows has no daylight. */
@@ -410,6 +461,8 @@ TEST_FILE
         cmocka_unit_test(one_alternative_is_enough),
         cmocka_unit_test(an_open_window_has_a_vertical_daylight_factor_of_49_6),
         cmocka_unit_test(reflected_light_alone_does_not_meet_a_vertical_factor),
+        cmocka_unit_test(
+            simulated_vertical_factors_have_the_light_of_their_surroundings),
         cmocka_unit_test(a_room_without_windows_does_not_meet_a_rule),
         cmocka_unit_test(shades_of_windows_are_no_obstructions_in_norway),
         cmocka_unit_test(enough_sun_alone_does_not_meet_the_slovak_rule),
