@@ -308,11 +308,13 @@ static void say_year(char *foot, size_t room, const struct pp_annual_sheet *shee
 {
     if (sheet->has_blinds)
         pp_page_say(foot, room, "sDA300/50 %.1f %%,", 100.0 * sheet->plane.sda.value);
-    pp_page_say(
-        foot, room,
-        "DA300/50 area without blinds %.1f %%, ASE1000,250 %.1f %% of %d points.",
-        100.0 * sheet->plane.autonomous.value, 100.0 * sheet->plane.ase.value,
-        sheet->receiver_count);
+    pp_page_say(foot, room, "DA300/50 area without blinds %.1f %%,",
+                100.0 * sheet->plane.autonomous.value);
+    if (pp_annual_sheet_has_sun(sheet))
+        pp_page_say(foot, room, "ASE1000,250 %.1f %%", 100.0 * sheet->plane.ase.value);
+    else
+        pp_page_say(foot, room, "ASE not known, as the weather has no direct sun,");
+    pp_page_say(foot, room, "of %d points.", sheet->receiver_count);
     struct pp_annual_leed leed = pp_annual_sheet_leed(sheet);
     if (!leed.why_not)
         pp_page_say(foot, room,

@@ -64,7 +64,8 @@ static bool add_plane(struct json_object *object, const struct pp_annual_result 
     bool good = pp_json_add(object, "plane", to)
                 && add_annual_figure(to, "da300/50-area", &plane->autonomous, 100.0)
                 && add_sda(to, sheet)
-                && add_annual_figure(to, "ase1000,250", &plane->ase, 100.0)
+                && pp_annual_figure_json(to, "ase1000,250", &plane->ase, 100.0,
+                                         "the weather has no direct sun")
                 && pp_json_number(to, "near_half", sheet->near_half);
     for (int i = 0; i < PP_ANNUAL_LEVELS && good; i++) {
         char key[32];

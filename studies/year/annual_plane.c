@@ -93,6 +93,8 @@ void pp_annual_plane_fill(struct pp_annual_sheet *sheet, const double *without,
         value->value = mean_of(&all, i);
         value->std_error = pp_year_metrics_error(list, batches);
     }
+    if (!pp_annual_sheet_has_sun(sheet))
+        sheet->plane.ase = (struct pp_annual_value){NAN, NAN};
     sheet->near_half = 0;
     for (int x = 0; x < sheet->receiver_count; x++) {
         const struct pp_annual_value *a = &sheet->points[x].autonomy_300;

@@ -243,6 +243,10 @@ enum pp_status pp_annual_words_fill(struct pp_annual_sheet *sheet,
     if (clock->diffuse_median_lx <= 0.0 && year->count > 1)
         warn(sheet, "at most a quarter of the year has daylight, so no room can reach "
                     "the levels of EN 17037 here");
+    if (!pp_annual_sheet_has_sun(sheet) && year->count > 1)
+        warn(sheet,
+             "the weather has no direct sun, so ASE is not known and LEED is not "
+             "assessed; other figures are for diffuse light alone");
     say_period(sheet, options, clock);
     say_blinds(sheet, world, options);
     name_groups(sheet, world, groups);

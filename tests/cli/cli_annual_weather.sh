@@ -97,4 +97,20 @@ done
 check "so is a chart of its year" refuses 1 "$far" \
     chart year --strict -w "$scratch/south.epw" -o "$scratch/x.svg" "$room"
 
+# ASE counts direct sun. Without any in the file, 0 % would look like a good result.
+awk -v direct=0 -f "$srcdir/tests/lib/clear_year.awk" >"$scratch/sunless.epw"
+sed '/<line/d; s|</room>|<grid spacing="1" margin="0"/></room>|' "$deep" >"$scratch/grid.xml"
+sunless="-w $scratch/sunless.epw $scratch/grid.xml"
+# shellcheck disable=SC2086
+{
+    check "without direct sun ASE is not known" \
+        shows '"value": null, "why": "the weather has no direct sun"' annual --samples 16 -f json $sunless
+    check "and the user is warned" shows "no direct sun, so ASE is not known" \
+        annual --samples 16 $sunless
+    check "LEED is not assessed" shows "the weather has no direct sun, so ASE is not known" \
+        assess --for leed-v4.1 $sunless
+    check "and --strict refuses the file" refuses 1 "the weather has no direct sun" \
+        annual --strict $sunless
+}
+
 tap_done

@@ -16,9 +16,19 @@ struct pp_annual_leed pp_annual_sheet_leed(const struct pp_annual_sheet *sheet)
         leed.why_not = "the points do not form a grid";
     else if (!sheet->standard_hours)
         leed.why_not = "the hours are not 8:00 to 18:00 on all days";
+    else if (!pp_annual_sheet_has_sun(sheet))
+        leed.why_not = "the weather has no direct sun, so ASE is not known";
     leed.points = leed.why_not ? 0 : (sda >= 0.40) + (sda >= 0.55) + (sda >= 0.75);
     leed.ase_to_explain = sheet->plane.ase.value > 0.10;
     return leed;
+}
+
+bool pp_annual_sheet_has_sun(const struct pp_annual_sheet *sheet)
+{
+    for (int i = 0; i < sheet->hour_count; i++)
+        if (sheet->hours[i].direct_lx > 0.0)
+            return true;
+    return false;
 }
 
 double pp_annual_sheet_lx(const struct pp_annual_sheet *sheet, int receiver, int hour)

@@ -62,7 +62,7 @@ struct pp_annual_plane {
     struct pp_annual_value autonomous; /* 300 lx in half of the hours or more */
     struct pp_annual_value sda;        /* the same with blinds; NAN: no blinds */
     struct pp_annual_value ase;        /* ASE: more than 250 h with more than 1000 lx of
-                                 * direct sun */
+                                 * direct sun; NAN: no hour has direct sun */
     struct pp_annual_value level[PP_ANNUAL_LEVELS]; /* EN 17037, method 2 */
 };
 
@@ -159,6 +159,9 @@ struct pp_annual_leed {
     bool ase_to_explain; /* ASE exceeds 10 %: a statement on glare is required */
 };
 struct pp_annual_leed pp_annual_sheet_leed(const struct pp_annual_sheet *sheet);
+
+/* False if no hour of the year has direct sun, so that ASE says nothing. */
+bool pp_annual_sheet_has_sun(const struct pp_annual_sheet *sheet);
 
 /* Illuminance of a point in an hour; 0 in the dark, NAN if the hour is not known. */
 double pp_annual_sheet_lx(const struct pp_annual_sheet *sheet, int receiver, int hour);
