@@ -12,11 +12,15 @@
 #include "charts/sheet/page.h"
 #include "charts/site/sky_bands.h"
 
+enum { LABELS_MOST = 1000 };
+
 struct elevation_drawing {
     cairo_t *cr;
     struct pp_style style;
     const struct pp_elevation_sheet *sheet;
-    double scale; /* denominator of the scale: 200 for 1:200 */
+    double scale;                      /* denominator of the scale: 200 for 1:200 */
+    struct pp_box labels[LABELS_MOST]; /* written so far */
+    int label_count;
 };
 
 /* ---- positions on paper ---- */
@@ -131,17 +135,33 @@ static struct pp_box window_box(const struct pp_room_plan *frame,
                            pp_plan_frame_y(frame, window->from.z) - top};
 }
 
-/* Writes the component on white over the middle of a window that is too small for
- * it. */
+/* Keeps the place of a label. False if another label covers it, or there are too many. */
+static bool reserve_label(struct elevation_drawing *drawing,
+                          const struct pp_lettering *set, double x, double y,
+                          const char *words)
+{
+    struct pp_box box =
+        pp_lettering_measure(drawing->cr, &drawing->style, set, x, y, words);
+    for (int i = 0; i < drawing->label_count; i++)
+        if (pp_lettering_boxes_overlap(box, drawing->labels[i]))
+            return false;
+    if (drawing->label_count == LABELS_MOST)
+        return false;
+    drawing->labels[drawing->label_count++] = box;
+    return true;
+}
+
+/* Writes the component on white over the middle of a window that is too small for it,
+ * unless the words would cover those of another window. */
 static void say_on_white(struct elevation_drawing *drawing,
                          const struct pp_site_window *window, struct pp_box box)
 {
     char words[80];
     const struct pp_lettering set = {.size = PP_TEXT_SMALL, .across = 0.5, .down = 0.5};
     snprintf(words, sizeof words, "%s\n%.1f", window->label, 100.0 * window->component);
-    pp_lettering_draw_on_white(drawing->cr, &drawing->style, &set,
-                               box.x + 0.5 * box.width, box.y + 0.5 * box.height,
-                               words);
+    double x = box.x + 0.5 * box.width, y = box.y + 0.5 * box.height;
+    if (reserve_label(drawing, &set, x, y, words))
+        pp_lettering_draw_on_white(drawing->cr, &drawing->style, &set, x, y, words);
 }
 
 /* Writes name, former and present component in the window, as far as there is space. A
@@ -175,8 +195,9 @@ static void say_component(struct elevation_drawing *drawing,
     } else {
         const struct pp_lettering above = {
             .size = PP_TEXT_SMALL, .across = 0.5, .down = 1.0};
-        pp_lettering_draw(drawing->cr, &drawing->style, &above, x, box.y - 0.3,
-                          window->label);
+        if (reserve_label(drawing, &above, x, box.y - 0.3, window->label))
+            pp_lettering_draw(drawing->cr, &drawing->style, &above, x, box.y - 0.3,
+                              window->label);
     }
     if (compared) {
         pp_lettering_draw(drawing->cr, &drawing->style, &set, x, y, former);
@@ -200,7 +221,6 @@ static void draw_window(struct elevation_drawing *drawing,
         cr, pp_sky_bands_is_lost(window) ? drawing->style.thick : drawing->style.thin,
         PP_INK);
     cairo_stroke(cr);
-    say_component(drawing, window, box);
 }
 
 /* Adds a box, given in u and v, to the path. */
@@ -298,18 +318,29 @@ static void name_elevation_room(struct elevation_drawing *drawing,
     }
 }
 
-static void say_title(struct elevation_drawing *drawing,
-                      const struct pp_site_elevation *elevation, double x, double y)
+static const struct pp_lettering title_lettering = {
+    .size = PP_TEXT_BODY, .bold = true, .down = 1.0};
+
+static void say_title(char *words, size_t room,
+                      const struct pp_site_elevation *elevation)
 {
     static const char *const ways[] = {"North", "North-east", "East", "South-east",
                                        "South", "South-west", "West", "North-west"};
-    char words[96];
     int way = (int)floor(elevation->bearing_rad / (PP_PI / 4.0) + 0.5) % 8;
-    snprintf(words, sizeof words, "%s elevation, %.0f\u00b0%s", ways[way],
+    snprintf(words, room, "%s elevation, %.0f\u00b0%s", ways[way],
              elevation->bearing_rad / PP_RAD,
              elevation->layer > 0 ? ", walls further back" : "");
-    struct pp_lettering set = {.size = PP_TEXT_BODY, .bold = true, .down = 1.0};
-    pp_lettering_draw(drawing->cr, &drawing->style, &set, x, y, words);
+}
+
+/* Width of the elevation or of its title, whichever is greater. */
+static double space_across(const struct elevation_drawing *drawing,
+                           const struct pp_site_elevation *elevation)
+{
+    char title[96];
+    say_title(title, sizeof title, elevation);
+    struct pp_box box = pp_lettering_measure(drawing->cr, &drawing->style,
+                                             &title_lettering, 0.0, 0.0, title);
+    return fmax(width_mm(drawing, elevation), box.width);
 }
 
 /* Draws an elevation and its title. x, y: upper left corner of the title, on paper. */
@@ -322,7 +353,9 @@ static void draw_elevation(struct elevation_drawing *drawing,
     double head = 1.6 * style->text[PP_TEXT_BODY];
     struct pp_room_plan frame =
         frame_of(drawing, elevation, x, y + head + height_mm(drawing, elevation));
-    say_title(drawing, elevation, x, y + head - style->scale);
+    char title[96];
+    say_title(title, sizeof title, elevation);
+    pp_lettering_draw(cr, style, &title_lettering, x, y + head - style->scale, title);
     draw_elevation_facades(drawing, &frame, elevation);
     for (int i = 0; i < elevation->wall_count; i++)
         draw_wall(drawing, &frame, &elevation->walls[i]);
@@ -331,6 +364,11 @@ static void draw_elevation(struct elevation_drawing *drawing,
     for (int i = 0; i < elevation->window_count; i++)
         draw_window(drawing, &frame, elevation,
                     &drawing->sheet->site.windows[elevation->windows[i]]);
+    for (int i = 0; i < elevation->window_count; i++) {
+        const struct pp_site_window *window =
+            &drawing->sheet->site.windows[elevation->windows[i]];
+        say_component(drawing, window, window_box(&frame, elevation, window));
+    }
     draw_elevation_shades(drawing, &frame, elevation);
     for (int i = 0; i < elevation->wall_count; i++)
         name_elevation_room(drawing, &frame, elevation, &elevation->walls[i]);
@@ -349,12 +387,11 @@ static bool flow(struct elevation_drawing *drawing, struct pp_box box, bool draw
 {
     const struct pp_style *style = &drawing->style;
     double head = 1.6 * style->text[PP_TEXT_BODY], gap = 9.0 * style->scale;
-    double least = 34.0 * style->scale; /* least width of an elevation, for its title */
     double x = box.x + 2.0 * style->scale, y = box.y, row = 0.0;
     bool fits = true;
     for (int i = 0; i < drawing->sheet->count; i++) {
         const struct pp_site_elevation *elevation = &drawing->sheet->elevations[i];
-        double width = fmax(width_mm(drawing, elevation), least);
+        double width = space_across(drawing, elevation);
         double height = head + height_mm(drawing, elevation);
         if (row > 0.0 && x + width > box.x + box.width) {
             y += row + gap;
@@ -385,6 +422,7 @@ static void say_elevation_foot(const struct elevation_drawing *drawing, char *fo
         foot, room,
         "Figures are in per cent, for the centre of the outer face of each window%s.",
         site->has_before ? "; existing values are above them, in light type" : "");
+    pp_page_say(foot, room, "A label that would cover another is omitted.");
     if (site->french_m > 0.0)
         pp_page_say(foot, room,
                     "Figures for full-height windows are at %g m above the floor.",
