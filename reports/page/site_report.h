@@ -32,12 +32,12 @@ struct pp_site_report {
 };
 
 /* Makes the document. The document begins with the verdicts, drawings of the site, and
- * tables of windows and rooms before and after a development. In a full
- * report a chapter for each room follows: input and assumptions, drawings, daylight
- * factors by hand with their bands and simulated with standard errors, verdicts, and
- * possible improvements. In a short report a table of the rooms and a table for each
- * criterion follow. The last chapter lists the command, the methods and the sources. The caller clears *document
- * even after a failure. */
+ * tables of windows and rooms before and after a development. In a full report a
+ * chapter for each room follows: input and assumptions, drawings, daylight factors by
+ * hand with their bands and simulated with standard errors, verdicts, and possible
+ * improvements. In a short report a table of the rooms and a table for each criterion
+ * follow. The last chapter lists the command, the methods and the sources. The caller
+ * clears *document even after a failure. */
 enum pp_status pp_site_report(struct pp_document *document,
                               const struct pp_site_report *report,
                               struct pp_error *err);

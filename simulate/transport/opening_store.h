@@ -22,9 +22,9 @@ struct pp_opening_store {
 };
 
 /* environment: as in struct pp_radiance_state. *store is NULL if there is nothing to
- * calculate. It is also NULL under a photographed sky with bright parts
- * (sky_bright.h), such as the sun, whose shadows on surfaces outside are sharper than
- * the directions of a table. The result is the same for any number of threads (0: one for each
+ * calculate. It is also NULL under a photographed sky with bright parts (sky_bright.h),
+ * such as the sun: their shadows on surfaces outside are sharper than the directions of
+ * a table. The result is the same for any number of threads (0: one for each
  * processor). */
 enum pp_status pp_opening_store_create(struct pp_opening_store **store,
                                        const struct pp_light_scene *scene,

@@ -21,7 +21,7 @@ enum {
 static const double SHARE_OF_MEAN = 0.7;
 /* Least relative errors of reflected and of direct light at the first level with an
  * error estimate, halved at each further level. They are needed because changes may
- * cancel. The stated error holds in 98 of 100 cases (docs/theory.md). */
+ * cancel. The stated error holds in 98 of 100 cases (docs/methods/radiosity.md). */
 static const double LEAST_REFLECTED = 0.004, LEAST_DIRECT = 0.003;
 /* Least relative error of direct light for the average, which is a sum over points. */
 static const double LEAST_AVERAGE = 0.005;
