@@ -5,6 +5,8 @@
 #include "studies/criteria/rules/rule_set.h"
 #include "tests/lib/room_of.h"
 
+static struct pp_annual_hour sunny = {.direct_lx = 80000.0};
+
 /* A completed year on a grid with blinds and LM-83's hours. */
 static struct pp_annual_sheet year_of(double sda, double sda_error, double ase)
 {
@@ -15,6 +17,8 @@ static struct pp_annual_sheet year_of(double sda, double sda_error, double ase)
         .blinds_of_lm83 = true,
         .standard_hours = true,
         .finished = true,
+        .hour_count = 1,
+        .hours = &sunny,
         .plane = {.sda = {sda, sda_error}, .ase = {ase, 0.0}}};
 }
 
@@ -71,6 +75,19 @@ static void sun_on_15_percent_fails_version_4_alone(void **state)
     pp_finding_list_clear(&findings);
 }
 
+/* An ASE of 0 says nothing if the weather has no direct sun. */
+static void without_direct_sun_no_points_are_given(void **state)
+{
+    (void)state;
+    struct pp_annual_sheet year = year_of(0.9, 0.0, 0.0);
+    year.hour_count = 0;
+    struct pp_finding_list findings = judged(&year);
+    assert_int_equal(findings.count, 1);
+    assert_int_equal(findings.list[0].verdict, PP_NOT_JUDGED);
+    assert_non_null(strstr(findings.list[0].note, "no direct sun"));
+    pp_finding_list_clear(&findings);
+}
+
 /* One standard error from the threshold: 84 % probability, which is not enough. */
 static void area_near_a_threshold_is_undecided(void **state)
 {
@@ -108,6 +125,7 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_threshold_that_is_reached_is_a_point),
         cmocka_unit_test(sun_on_15_percent_fails_version_4_alone),
+        cmocka_unit_test(without_direct_sun_no_points_are_given),
         cmocka_unit_test(area_near_a_threshold_is_undecided),
         cmocka_unit_test(no_points_without_grid_blinds_or_year),
     };
