@@ -33,7 +33,7 @@ struct two_rooms {
 
 static void make_rooms(struct two_rooms *two)
 {
-    static char *const names[] = {"Parlour", "Scullery"};
+    static char names[2][16] = {"Parlour", "Scullery"};
     *two = (struct two_rooms){0};
     for (int i = 0; i < 2; i++) {
         two->worlds[i].name = names[i];
