@@ -14,6 +14,7 @@
 #include "charts/site/site_shape.h"
 #include "charts/site/strip_table.h"
 #include "charts/site/sky_bands.h"
+#include "model/geometry/tolerance.h"
 
 /* ---- extent ---- */
 
@@ -296,6 +297,34 @@ static int gather_keys(const struct pp_site_sheet *sheet, struct pp_key keys[8])
     return count;
 }
 
+/* True if the point is above or below a corner of the shape. */
+static bool has_corner_at(const struct pp_site_shape *shape, struct pp_vec3 at)
+{
+    for (int i = 0; i < shape->count; i++)
+        if (hypot(shape->corners[i].x - at.x, shape->corners[i].y - at.y) < PP_SAME_M)
+            return true;
+    return false;
+}
+
+/* True for a vertical side of a block that is to be demolished. The dashed outline of
+ * the block's top shows it; dashes of both, drawn one over the other, look like a solid
+ * line. */
+static bool is_under_edge(const struct pp_site_sheet *sheet,
+                          const struct pp_site_shape *side)
+{
+    if (side->is_level || side->when != PP_SITE_GONE || side->ends)
+        return false; /* or a part of a mesh, whose lines are drawn once */
+    for (int i = 0; i < sheet->shape_count; i++) {
+        const struct pp_site_shape *top = &sheet->shapes[i];
+        bool is_same = top->is_level && top->when == PP_SITE_GONE && !top->ends;
+        for (int k = 0; k < side->count && is_same; k++)
+            is_same = has_corner_at(top, side->corners[k]);
+        if (is_same)
+            return true;
+    }
+    return false;
+}
+
 static void draw_site(struct pp_site_drawing *drawing)
 {
     const struct pp_site_sheet *sheet = drawing->sheet;
@@ -310,7 +339,8 @@ static void draw_site(struct pp_site_drawing *drawing)
     cairo_clip(cr);
     for (int pass = 0; pass < 2; pass++)
         for (int i = 0; i < sheet->shape_count; i++)
-            if ((sheet->shapes[i].when == PP_SITE_GONE) == (pass == 1))
+            if ((sheet->shapes[i].when == PP_SITE_GONE) == (pass == 1)
+                && !is_under_edge(sheet, &sheet->shapes[i]))
                 pp_site_shape_draw(drawing->cr, &drawing->style, &drawing->frame, box,
                                    &sheet->shapes[i]);
     for (int i = 0; i < sheet->garden_count; i++)

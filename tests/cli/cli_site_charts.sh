@@ -10,6 +10,9 @@ check "what is lit now and before" quietly chart plan --before existing --room S
     -o "$scratch/lit.pdf"
 check "says the area that assess finds" says "$scratch/lit.pdf" "12.52 m"
 check "and that before" says "$scratch/lit.pdf" "Before: 14.62 m"
+run chart site --before existing "$site" -o "$scratch/site.svg"
+check "one dashed outline of the demolished shed, and its key" \
+    sh -c "[ \$(grep -c stroke-dasharray '$scratch/site.svg') = 2 ]"
 check "the sky factor's line too" quietly chart plan --before existing --line sky-factor \
     --room Study "$site" -o "$scratch/factor.pdf"
 check "with its zones" says "$scratch/factor.pdf" "equivalent first zone 1.50 m"
