@@ -54,8 +54,15 @@ static enum pp_status read_files(struct pp_rad_reader *reader,
                 pipe, err, "files are nested too deeply; a file may include itself: ",
                 xform->files[i]);
         }
-        if (!texts[i].bytes)
-            status = read_scene_text(&texts[i], xform->files[i], true, err);
+        if (!texts[i].bytes) {
+            struct pp_error own = {PP_OK, ""};
+            status = read_scene_text(&texts[i], xform->files[i], true, &own);
+            if (status == PP_BAD_INPUT)
+                return pp_rad_words_fail(pipe->words, pipe->line, err, "%.600s",
+                                         own.message);
+            if (status != PP_OK)
+                *err = own;
+        }
         if (status == PP_OK)
             status = read_text(reader, &texts[i], xform->files[i], &context, err);
         if (status == PP_OK && reader->bytes > PP_RAD_BYTES_MOST)

@@ -575,7 +575,7 @@ static void unsupported_input_is_rejected_with_its_line(void **state)
         {"!xform -t 1 2 3\n", "nothing to transform"},
         {"!xform -q x.rad\n", "xform has no option -q"},
         {"!xform -a 2000000 x.rad\n", "after xform's -a"},
-        {"!xform /no/such/file.rad\n", "/no/such/file.rad: cannot be opened"},
+        {"!xform /no/such/file.rad\n", "1: /no/such/file.rad: cannot be opened"},
         {WHITE "!genbox white b 1 1 -1\n",
          "2: expected sizes of the genbox above 0, up to 1e9, not -1"},
         {WHITE "!genbox white b 1 1 1 -s\n", "of genbox, not -s"},
