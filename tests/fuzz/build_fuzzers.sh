@@ -87,7 +87,10 @@ for source in "$srcdir"/tests/fuzz/fuzz_*.c; do
     seeds=$(corpus "$kind")
     wrap=
     # These readers open files; the fuzzer replaces the function that reads them.
-    case $kind in rad | values | atlas) wrap=-Wl,--wrap=pp_read_file ;; esac
+    case $kind in
+    rad) wrap=-Wl,--wrap=pp_read_file_regular ;;
+    values | atlas) wrap=-Wl,--wrap=pp_read_file ;;
+    esac
     # shellcheck disable=SC2086 # words
     $FUZZ_CC $flags -fsanitize=fuzzer $wrap -o "$built/$name" "$source" "$built/objects.a" $LIBS
     words=

@@ -4,7 +4,7 @@
  * For clang's libFuzzer (make fuzz). The sanitizers report errors. A scene must also be
  * rejected with a reason that contains file and line, or accepted; then the materials
  * of its shapes exist, and the same number of shapes is read back. An included file is
- * the second half of the fuzzer's bytes: with --wrap=pp_read_file no other file is
+ * the second half of the fuzzer's bytes: with --wrap=pp_read_file_regular no other file is
  * read. It may include itself.
  */
 #include <stdbool.h>
@@ -18,14 +18,16 @@
 #include "formats/radiance/write/rad_write_materials.h"
 #include "tests/fuzz/must.h"
 
-enum pp_status __wrap_pp_read_file(char **bytes, size_t *length, const char *path,
-                                   size_t most, struct pp_error *err);
+enum pp_status __wrap_pp_read_file_regular(char **bytes, size_t *length,
+                                           const char *path, size_t most,
+                                           struct pp_error *err);
 
 static const uint8_t *fuzzed;
 static size_t fuzzed_length;
 
-enum pp_status __wrap_pp_read_file(char **bytes, size_t *length, const char *path,
-                                   size_t most, struct pp_error *err)
+enum pp_status __wrap_pp_read_file_regular(char **bytes, size_t *length,
+                                           const char *path, size_t most,
+                                           struct pp_error *err)
 {
     (void)path, (void)most;
     size_t half = fuzzed_length / 2;
