@@ -13,8 +13,8 @@ charts="plan section site elevation note waldram pepper-pot protractor nomogram 
     vertical-sky skylight-indicator sun-path slats model-net availability"
 kinds=$(echo "$charts" | wc -w)
 
-# The commands, one per line; ROOM, OUT and POINT are replaced by the room's file, an output
-# without its extension, and a point. Each room has another chart.
+# The commands, one per line; ROOM, OUT, POINT and YEAR are replaced by the room's file, an
+# output without its extension, a point, and a weather file. Each room has another chart.
 commands() {
     chart=$(echo $charts | cut -d ' ' -f $((1 + room % kinds)))
     of_point=
@@ -35,6 +35,9 @@ LIST
     [ $((room % 4)) != 0 ] || echo "render --samples 1 --size 24x24 ROOM -o OUT.png
 report --by-hand ROOM -o OUT.html
 glare --samples 16 --sky overcast,20000 --view POINT,0 -f json ROOM"
+    [ $((room % 4)) != 2 ] || echo "annual --weather YEAR --samples 2 --patches 145 -f csv -p POINT ROOM
+chart year --weather YEAR --samples 2 ROOM -o OUT.pdf
+chart en17037 --weather YEAR ROOM -o OUT.pdf"
 }
 
 # fault WORDS: runs a command; prints its fault, if any.
@@ -46,6 +49,8 @@ fault() {
     0) grep -liE '(^|[^a-z])nan([^a-z]|$)' "$scratch/out" $(find "$scratch" -name 'result*' \
         -type f ! -name '*.png') | sed 's/.*/contains nan/' | head -n 1 ;;
     1) [ -s "$scratch/err" ] || echo "status 1 without a message" ;;
+    2) grep -q 'expected --room NAME' "$scratch/err" || # of a building, for a picture
+        echo "status 2: $(tail -n 1 "$scratch/err")" ;;
     124) echo "takes more than two minutes" ;;
     *) echo "status $status: $(tail -n 1 "$scratch/err")" ;;
     esac
@@ -58,7 +63,8 @@ sweep() {
     while [ "$(date +%s)" -lt $end ]; do
         point=$(awk -v folder="$scratch" -v room=$room -f "$srcdir/tests/long/odd_rooms.awk")
         "$pepperpot" df -m bre "$scratch/$room.xml" >/dev/null 2>&1 && valid=$((valid + 1))
-        commands | sed "s|ROOM|$scratch/$room.xml|; s|OUT|$scratch/result|; s|POINT|$point|" >"$scratch/commands"
+        commands | sed "s|ROOM|$scratch/$room.xml|; s|OUT|$scratch/result|; s|POINT|$point|; s|YEAR|$scratch/year.epw|" \
+            >"$scratch/commands"
         while read -r line && [ "$(date +%s)" -lt $end ]; do
             # shellcheck disable=SC2086 # words
             found=$(fault $line)
@@ -69,6 +75,7 @@ sweep() {
     done
 }
 
+awk -f "$srcdir/tests/lib/clear_year.awk" >"$scratch/year.epw"
 first=$room
 sweep >"$scratch/faults"
 check "no command fails on $((room - first)) rooms" nothing "$(cat "$scratch/faults")"
