@@ -16,7 +16,8 @@
 #include "simulate/fast/tracer.h"
 #include "tests/lib/random_rooms.h"
 
-/* Daylight factors of all receivers, followed by the average; returns the time (s). */
+/* Traces all receivers and the average over the working plane. Writes the daylight
+ * factors of the receivers, without the average, to df; returns the time (s). */
 static double trace(const struct pp_world *world, const struct pp_outside_light *light,
                     double error, int threads, uint64_t seed, struct pp_reading *df,
                     struct pp_tracer_work *work)

@@ -249,10 +249,10 @@ static const char *decimal_end(const char *p)
     return exponent_digits > 0 ? p : NULL;
 }
 
-/* Converts exactly if the digits, without the point, are an integer below 2^53 and the
- * power of ten is at most 22. Both are then exact doubles, so one multiplication or
- * division rounds correctly, with the same result as strtod. Otherwise returns
- * false. */
+/* Converts if the digits, without the point, are an integer of at most 2^53, and the
+ * power of ten is between -22 and 22. The integer and the power of ten are then exact
+ * doubles, so one multiplication or division rounds correctly, with the same result as
+ * strtod. Otherwise returns false. */
 static bool small_decimal(const char *p, const char *end, double *value)
 {
     static const double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,

@@ -1,7 +1,7 @@
 /* device_states.h - a room with its blinds, screens and curtains in another state.
  *
- * Such a world shares everything except the openings with the world that it is made of,
- * which must outlive it.
+ * Such a world shares everything except the openings with the world that it is made
+ * from, which must outlive it.
  */
 #ifndef PP_MODEL_ROOM_BUILD_DEVICE_STATES_H
 #define PP_MODEL_ROOM_BUILD_DEVICE_STATES_H

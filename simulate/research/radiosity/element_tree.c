@@ -272,9 +272,9 @@ int pp_element_tree_at(const struct pp_element_tree *tree, int side,
     return at;
 }
 
-/* Sets the spread within each undivided part of an element: half of `spread`, the
- * difference between the parts, since a part extends over half of the distance between
- * their middles. */
+/* Sets the spread within each undivided part of an element to half of `spread`, the
+ * difference between the parts: the middles of the part's own parts would be half as
+ * far apart. */
 static void spread_within(struct pp_element_tree *tree, const struct pp_element *parent,
                           double spread)
 {

@@ -1,8 +1,8 @@
 /* variant_scene.h - simulated daylight factors of a changed imported scene.
  *
- * Switches can change reflections, glass, frames and dirt, colours, the points' height
- * and a factor. The scene's sky, ground and surroundings are ordinary shapes, which no
- * switch changes.
+ * Switches can change the number of reflections, glass, frames and dirt, colours, and
+ * the height of the points, and can multiply the results by a factor. The switches
+ * sky, ground and outside are refused, since in a scene these are ordinary shapes.
  */
 #ifndef PP_STUDIES_RESEARCH_COMPARE_VARIANT_SCENE_H
 #define PP_STUDIES_RESEARCH_COMPARE_VARIANT_SCENE_H

@@ -279,9 +279,9 @@ static struct strokes drawn(const struct pp_world *world, double scale,
     return strokes;
 }
 
-/* Sides and head of a door are drawn, since its lower edge is that of the wall; of a
- * dado, the upper edges beside the door, which end at the corners of the wall and at
- * the door. */
+/* Of a door, only the sides and the head are drawn, since its lower edge is that of the
+ * wall; of a dado, only the upper edges beside the door, which end at the corners of the
+ * wall and at the door. */
 static void doors_and_dados_are_drawn_to_scale_without_the_edges_of_their_wall(
     void **state)
 {
