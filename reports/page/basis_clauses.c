@@ -20,11 +20,12 @@ static const char *next_clause(const char *text)
     return *end ? end + 2 : end;
 }
 
-static bool has_label(const char *clause, const char *label)
+static const char level_label[] = PP_BASIS_LEVEL ": ";
+enum { LEVEL_LABEL = sizeof level_label - 1 }; /* its length */
+
+static bool names_level(const char *clause)
 {
-    const size_t length = strlen(label);
-    return strncmp(clause, label, length) == 0
-           && strncmp(clause + length, ": ", 2) == 0;
+    return strncmp(clause, level_label, LEVEL_LABEL) == 0;
 }
 
 static bool has_clause(const char *text, const char *clause, size_t length)
@@ -45,7 +46,7 @@ static void write_clauses(char text[PP_BASIS_CLAUSES], const char *const *bases,
         bool everywhere = true;
         for (int i = 0; i < count; i++)
             everywhere &= has_clause(bases[i], clause, length);
-        if (everywhere == common && !has_label(clause, "level reached"))
+        if (everywhere == common && !names_level(clause))
             pp_text_append(text, PP_BASIS_CLAUSES, "%s%.*s", text[0] ? "; " : "",
                            (int)length, clause);
     }
@@ -65,15 +66,14 @@ void pp_basis_clauses_own(char text[PP_BASIS_CLAUSES], const char *const *bases,
     write_clauses(text, bases, count, index, false);
 }
 
-bool pp_basis_clauses_labelled(char text[PP_BASIS_CLAUSES], const char *basis,
-                               const char *label)
+bool pp_basis_clauses_level(char text[PP_BASIS_CLAUSES], const char *basis)
 {
     text[0] = '\0';
     for (const char *clause = basis; *clause; clause = next_clause(clause))
-        if (has_label(clause, label)) {
-            const char *words = clause + strlen(label) + 2;
-            pp_text_append(text, PP_BASIS_CLAUSES, "%.*s", (int)clause_length(words),
-                           words);
+        if (names_level(clause)) {
+            const char *level = clause + LEVEL_LABEL;
+            pp_text_append(text, PP_BASIS_CLAUSES, "%.*s", (int)clause_length(level),
+                           level);
             return true;
         }
     return false;

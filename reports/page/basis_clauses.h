@@ -9,6 +9,9 @@
 
 enum { PP_BASIS_CLAUSES = 640 }; /* bytes, as in struct pp_finding_list */
 
+/* Label of the clause with the level, and heading of its column. */
+#define PP_BASIS_LEVEL "level reached"
+
 /* Writes the clauses that all `count` bases contain. */
 void pp_basis_clauses_common(char text[PP_BASIS_CLAUSES], const char *const *bases,
                              int count);
@@ -17,9 +20,7 @@ void pp_basis_clauses_common(char text[PP_BASIS_CLAUSES], const char *const *bas
 void pp_basis_clauses_own(char text[PP_BASIS_CLAUSES], const char *const *bases,
                           int count, int index);
 
-/* Writes the words after "LABEL: " of the clause with that label; false: there is no
- * such clause. */
-bool pp_basis_clauses_labelled(char text[PP_BASIS_CLAUSES], const char *basis,
-                               const char *label);
+/* Writes the level that the basis names; false: it names none. */
+bool pp_basis_clauses_level(char text[PP_BASIS_CLAUSES], const char *basis);
 
 #endif

@@ -147,24 +147,22 @@ static void add_notes(struct topic_notes *notes, const struct topic *topic,
     *notes = longer;
 }
 
+static const char *const note_marks[NOTES_MOST] = {"¹", "²", "³", "⁴", "⁵",
+                                                   "⁶", "⁷", "⁸", "⁹"};
+
 /* Mark of the finding's note in the table; empty if the note is not in the list. */
 static const char *note_mark(const struct topic_notes *notes,
                              const struct pp_finding *finding)
 {
-    static const char *const marks[NOTES_MOST] = {"¹", "²", "³", "⁴", "⁵",
-                                                  "⁶", "⁷", "⁸", "⁹"};
     const int index = finding->note[0] ? find_note(notes, finding->note) : -1;
-    return index >= 0 ? marks[index] : "";
+    return index >= 0 ? note_marks[index] : "";
 }
 
 static void put_notes(struct pp_document *document, const struct topic_notes *notes)
 {
-    for (int i = 0; i < notes->count; i++) {
-        struct pp_finding finding = {0};
-        snprintf(finding.note, sizeof finding.note, "%s", notes->list[i]);
-        pp_document_paragraph(document, PP_TONE_SOFT, "%s %s.",
-                              note_mark(notes, &finding), notes->list[i]);
-    }
+    for (int i = 0; i < notes->count; i++)
+        pp_document_paragraph(document, PP_TONE_SOFT, "%s %s.", note_marks[i],
+                              notes->list[i]);
     if (notes->omits)
         pp_document_paragraph(document, PP_TONE_SOFT,
                               "Notes that differ from room to room are in the complete "
@@ -181,14 +179,11 @@ static enum pp_tone tone_of(const struct pp_finding *finding)
                                             : PP_TONE_PLAIN;
 }
 
-/* Clause of the basis that has a column of its own. */
-static const char level_label[] = "level reached";
-
 static bool has_levels(const struct topic *topic)
 {
     char level[PP_BASIS_CLAUSES];
     for (int i = 0; i < topic->count; i++)
-        if (pp_basis_clauses_labelled(level, topic->bases[i], level_label))
+        if (pp_basis_clauses_level(level, topic->bases[i]))
             return true;
     return false;
 }
@@ -196,7 +191,7 @@ static bool has_levels(const struct topic *topic)
 static void put_level(struct pp_document *document, const struct topic *topic, int row)
 {
     char level[PP_BASIS_CLAUSES];
-    bool known = pp_basis_clauses_labelled(level, topic->bases[row], level_label);
+    bool known = pp_basis_clauses_level(level, topic->bases[row]);
     pp_document_cell(document, PP_TONE_PLAIN, "%s", known ? level : "–");
 }
 
@@ -257,11 +252,10 @@ static void put_figure(struct pp_document *document, const struct topic *topic, 
                      note_mark(notes, finding));
 }
 
-/* Adds a table of some of the figures of a topic. labelled: with the column of clauses
- * that have a label. */
+/* Adds a table of some of the figures of a topic. levelled: with the column of levels. */
 static void put_figures(struct pp_document *document, const struct topic *topic,
                         const struct topic_figure *figures, int count,
-                        const struct topic_notes *notes, bool labelled)
+                        const struct topic_notes *notes, bool levelled)
 {
     pp_document_table(document);
     pp_document_column(document, PP_COLUMN_WORDS, "room");
@@ -272,8 +266,8 @@ static void put_figures(struct pp_document *document, const struct topic *topic,
         pp_document_column(document, PP_COLUMN_WORDS, "%s%s%s%s", figures[i].what,
                            wanted[0] ? " (" : "", wanted, wanted[0] ? ")" : "");
     }
-    if (labelled)
-        pp_document_column(document, PP_COLUMN_WORDS, "%s", level_label);
+    if (levelled)
+        pp_document_column(document, PP_COLUMN_WORDS, PP_BASIS_LEVEL);
     for (int i = 0; i < topic->count; i++) {
         if (!begins_room(topic, i))
             continue;
@@ -281,7 +275,7 @@ static void put_figures(struct pp_document *document, const struct topic *topic,
         put_room_name(document, topic, i);
         for (int k = 0; k < count; k++)
             put_figure(document, topic, i, figures, k, notes);
-        if (labelled)
+        if (levelled)
             put_level(document, topic, i);
     }
 }
@@ -315,7 +309,7 @@ static void put_room_rows(struct pp_document *document, const struct topic *topi
 static void put_findings(struct pp_document *document, const struct topic *topic)
 {
     struct topic_notes notes = {0};
-    const bool labelled = has_levels(topic);
+    const bool levelled = has_levels(topic);
     add_notes(&notes, topic, NULL, NOTES_MOST);
     notes.omits = false; /* a note that is not in the list stands in its row */
     pp_document_table(document);
@@ -324,8 +318,8 @@ static void put_findings(struct pp_document *document, const struct topic *topic
     pp_document_column(document, PP_COLUMN_NUMBERS, "found");
     pp_document_column(document, PP_COLUMN_NUMBERS, "target");
     pp_document_column(document, PP_COLUMN_WORDS, "verdict");
-    if (labelled)
-        pp_document_column(document, PP_COLUMN_WORDS, "%s", level_label);
+    if (levelled)
+        pp_document_column(document, PP_COLUMN_WORDS, PP_BASIS_LEVEL);
     for (int i = 0; i < topic->count; i++) {
         const struct pp_finding *finding = topic->rows[i]->finding;
         const char *mark = note_mark(&notes, finding);
@@ -340,10 +334,18 @@ static void put_findings(struct pp_document *document, const struct topic *topic
         pp_document_cell(document, PP_TONE_PLAIN, "%s", figure);
         pp_document_cell(document, PP_TONE_PLAIN, "%s", wanted);
         pp_room_chapter_verdict(document, finding);
-        if (labelled && begins_room(topic, i))
+        if (levelled && begins_room(topic, i))
             put_level(document, topic, i);
     }
     put_notes(document, &notes);
+}
+
+/* Appends the room's name to a list of names. */
+static void append_room(char *names, size_t size, const struct pp_assessment *room)
+{
+    const char *name = room->room->world->name;
+    pp_text_append(names, size, "%s%s", names[0] ? ", " : "",
+                   name ? name : "a room without a name");
 }
 
 /* ---- the basis: clauses separated by "; " ---- */
@@ -378,11 +380,8 @@ static void put_bases(struct pp_document *document, const struct topic *topic)
         any = true;
         char rooms[512] = "";
         for (int k = i; k < topic->count; k++)
-            if (begins_room(topic, k) && same_basis(topic, i, k)) {
-                const char *name = topic->rows[k]->room->room->world->name;
-                pp_text_append(rooms, sizeof rooms, "%s%s", rooms[0] ? ", " : "",
-                               name ? name : "a room without a name");
-            }
+            if (begins_room(topic, k) && same_basis(topic, i, k))
+                append_room(rooms, sizeof rooms, topic->rows[k]->room);
         pp_document_row(document, PP_ROW_CELLS);
         pp_document_cell(document, PP_TONE_PLAIN, "%s", rooms);
         pp_document_cell(document, PP_TONE_PLAIN, "%s", text);
@@ -455,11 +454,8 @@ static void say_unjudged(struct pp_document *document, const struct pp_assessmen
 {
     char names[512] = "";
     for (int i = 0; i < all->count; i++)
-        if (all->list[i].answers.count == 0) {
-            const char *name = all->list[i].room->world->name;
-            pp_text_append(names, sizeof names, "%s%s", names[0] ? ", " : "",
-                           name ? name : "a room without a name");
-        }
+        if (all->list[i].answers.count == 0)
+            append_room(names, sizeof names, &all->list[i]);
     if (names[0])
         pp_document_paragraph(document, PP_TONE_PLAIN,
                               "None of the selected criteria applies to: %s.", names);

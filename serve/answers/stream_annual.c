@@ -123,9 +123,7 @@ static bool run_annual_pass(struct annual_stream *stream, struct pp_task *task,
     char samples[12];
     int paths = passes[stream->pass];
     bool is_last = true;
-    if (stream->samples > 0 && paths > stream->samples)
-        paths = stream->samples;
-    if (stream->samples > 0 && stream->pass == PASSES - 1)
+    if (stream->samples > 0 && (paths > stream->samples || stream->pass == PASSES - 1))
         paths = stream->samples;
     snprintf(samples, sizeof samples, "%d", paths);
     pp_program_words_add_option(words, "samples", samples);

@@ -33,20 +33,28 @@ static double along_line(const struct pp_cell_line *line, struct pp_cell_point a
     return line->normal.a * at.b - line->normal.b * at.a;
 }
 
+/* The point where the edge from p to q crosses the line; false: it does not. */
+static bool edge_meets_line(struct pp_cell_point *at, const struct pp_cell_line *line,
+                            struct pp_cell_point p, struct pp_cell_point q)
+{
+    double dp = beyond_line(line, p), dq = beyond_line(line, q);
+    if ((dp > 0.0) == (dq > 0.0))
+        return false;
+    double t = dp / (dp - dq);
+    *at = (struct pp_cell_point){p.a + t * (q.a - p.a), p.b + t * (q.b - p.b)};
+    return true;
+}
+
 /* Length of the line in a convex piece; 0 if it does not divide the piece. */
 static double chord(const struct pp_cell_line *line, const struct pp_cell_piece *piece)
 {
     double low = INFINITY, high = -INFINITY, before = 0.0, after = 0.0;
     for (int i = 0; i < piece->count; i++) {
-        struct pp_cell_point p = piece->corners[i],
-                             q = piece->corners[(i + 1) % piece->count];
-        double dp = beyond_line(line, p), dq = beyond_line(line, q);
-        before = fmin(before, dp);
-        after = fmax(after, dp);
-        if ((dp > 0.0) == (dq > 0.0))
+        struct pp_cell_point p = piece->corners[i], at;
+        before = fmin(before, beyond_line(line, p));
+        after = fmax(after, beyond_line(line, p));
+        if (!edge_meets_line(&at, line, p, piece->corners[(i + 1) % piece->count]))
             continue;
-        double t = dp / (dp - dq);
-        struct pp_cell_point at = {p.a + t * (q.a - p.a), p.b + t * (q.b - p.b)};
         low = fmin(low, along_line(line, at));
         high = fmax(high, along_line(line, at));
     }
@@ -135,16 +143,11 @@ static void keep_side(struct pp_cell_piece *kept, const struct pp_cell_piece *pi
 {
     kept->count = 0;
     for (int i = 0; i < piece->count; i++) {
-        struct pp_cell_point p = piece->corners[i],
-                             q = piece->corners[(i + 1) % piece->count];
-        double dp = beyond_line(line, p), dq = beyond_line(line, q);
-        if ((dp > 0.0) == upper)
+        struct pp_cell_point p = piece->corners[i], at;
+        if ((beyond_line(line, p) > 0.0) == upper)
             kept->corners[kept->count++] = p;
-        if ((dp > 0.0) == (dq > 0.0))
-            continue;
-        double t = dp / (dp - dq);
-        kept->corners[kept->count++] =
-            (struct pp_cell_point){p.a + t * (q.a - p.a), p.b + t * (q.b - p.b)};
+        if (edge_meets_line(&at, line, p, piece->corners[(i + 1) % piece->count]))
+            kept->corners[kept->count++] = at;
     }
 }
 

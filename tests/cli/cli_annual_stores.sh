@@ -4,24 +4,9 @@
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
-# A year at Brussels: clear from 9 to 16 h, dark otherwise; `other` has less light.
-year() { # DIRECT DIFFUSE
-    awk -v direct="$1" -v diffuse="$2" 'BEGIN {
-        print "LOCATION,Brussels,-,BEL,made up,064510,50.90,4.53,1.0,58.0"
-        print "HOLIDAYS/DAYLIGHT SAVINGS,No,3/26,10/28,0"
-        print "DATA PERIODS,1,1,Data,Sunday,1/1,12/31"
-        split("31 28 31 30 31 30 31 31 30 31 30 31", days, " ")
-        for (m = 1; m <= 12; m++)
-            for (d = 1; d <= days[m]; d++)
-                for (h = 1; h <= 24; h++) {
-                    lit = h > 9 && h <= 16
-                    printf "%d,%d,%d,%d,0,?,10,7.5,84,101000,0,0,315,%d,%d,%d,0,0,0\n",
-                        2001, m, d, h, lit ? 9999 : 0, lit * direct, lit * diffuse
-                }
-    }'
-}
-year 400 150 >"$scratch/year.epw"
-year 100 220 >"$scratch/other.epw"
+# Two years with the same hours of light; `other` has less.
+awk -f "$srcdir/tests/lib/clear_year.awk" >"$scratch/year.epw"
+awk -v direct=100 -v diffuse=220 -f "$srcdir/tests/lib/clear_year.awk" >"$scratch/other.epw"
 cat >"$scratch/room.xml" <<'XML'
 <room version="1" name="Study"><site ground-reflectance="0.3" ground="open"/>
 <plan width="3.4" depth="4.6" height="2.7"/>

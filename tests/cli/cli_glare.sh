@@ -3,20 +3,7 @@
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
-# A year at Brussels with light from 9 to 16 h.
-awk 'BEGIN {
-    print "LOCATION,Brussels,-,BEL,made up,064510,50.90,4.53,1.0,58.0"
-    print "HOLIDAYS/DAYLIGHT SAVINGS,No,3/26,10/28,0"
-    print "DATA PERIODS,1,1,Data,Sunday,1/1,12/31"
-    split("31 28 31 30 31 30 31 31 30 31 30 31", days, " ")
-    for (m = 1; m <= 12; m++)
-        for (d = 1; d <= days[m]; d++)
-            for (h = 1; h <= 24; h++) {
-                lit = h > 9 && h <= 16
-                printf "%d,%d,%d,%d,0,?,10,7.5,84,101000,0,0,315,%d,%d,%d,0,0,0\n",
-                    2001, m, d, h, lit ? 9999 : 0, lit ? 400 : 0, lit ? 150 : 0
-            }
-}' >"$scratch/year.epw"
+awk -f "$srcdir/tests/lib/clear_year.awk" >"$scratch/year.epw"
 cat >"$scratch/room.xml" <<'EOF'
 <room version="1" name="Corner">
   <site latitude="50.9" longitude="4.5"/>

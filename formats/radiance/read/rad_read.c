@@ -57,11 +57,7 @@ static enum pp_status read_files(struct pp_rad_reader *reader,
         if (!texts[i].bytes) {
             struct pp_error own = {PP_OK, ""};
             status = read_scene_text(&texts[i], xform->files[i], true, &own);
-            if (status == PP_BAD_INPUT)
-                return pp_rad_words_fail(pipe->words, pipe->line, err, "%.600s",
-                                         own.message);
-            if (status != PP_OK)
-                *err = own;
+            status = pp_rad_words_locate(pipe->words, pipe->line, status, &own, err);
         }
         if (status == PP_OK)
             status = read_text(reader, &texts[i], xform->files[i], &context, err);

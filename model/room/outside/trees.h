@@ -14,8 +14,8 @@
 
 #include "model/room/build/resolve.h"
 
-/* Adds the panes of the crowns, after those of the coarse model. Reports crowns without
- * height, and crowns that reach into the room. */
+/* Adds the panes of the crowns, after those of the coarse model. Reports crowns that
+ * reach into the room. */
 enum pp_status pp_build_trees(struct pp_resolver *r, struct pp_error *err);
 
 /* True if the trees have no leaves in that month, 1 to 12. */

@@ -137,9 +137,9 @@ static void clauses_are_common_only_if_all_bases_have_them(void **state)
     assert_string_equal(text, "by hand");
     pp_basis_clauses_own(text, bases, 2, 0);
     assert_string_equal(text, "on 3 points");
-    assert_true(pp_basis_clauses_labelled(text, bases[0], "level reached"));
+    assert_true(pp_basis_clauses_level(text, bases[0]));
     assert_string_equal(text, "high");
-    assert_false(pp_basis_clauses_labelled(text, bases[1], "level reached"));
+    assert_false(pp_basis_clauses_level(text, bases[1]));
 }
 
 TEST_FILE
