@@ -79,8 +79,8 @@ void pp_room_words_outside(char *text, size_t room, const struct pp_world *world
                     block->width_m, block->depth_m, block->height_m, block->corner.x,
                     block->corner.y, block->corner.z, block->reflectance);
         if (block->rotate_rad != 0.0)
-            pp_page_say(text, room, "rotated by %.4g\u00b0",
-                        block->rotate_rad / PP_RAD);
+            pp_text_append(text, room, ", rotated by %.4g\u00b0",
+                           block->rotate_rad / PP_RAD);
         pp_text_append(text, room, ".");
     }
     if (world->block_count > TOLD)

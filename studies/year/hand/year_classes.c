@@ -155,9 +155,9 @@ static void evaluate_classes_scaled(const struct pp_hand_case *of, const void *t
 
 #define OWN                                                                            \
     "classes of this program, since the original limits were not available: 8 bins "   \
-    "of clearness, "                                                                   \
-    "cells of 15 degrees of altitude and azimuth of the sun. The sky of a class is "   \
-    "that of the hour in its middle"
+    "of clearness, cells of 15 degrees of altitude and azimuth of the sun. The sky "   \
+    "of a class is that of the hour whose sun is nearest to the mean position of the " \
+    "sun in the class"
 
 const struct pp_year_method pp_year_method_classes = {
     .name = "classes",

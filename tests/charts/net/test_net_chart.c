@@ -279,8 +279,8 @@ static struct strokes drawn(const struct pp_world *world, double scale,
     return strokes;
 }
 
-/* Of a door, only the sides and the head are drawn, since its lower edge is that of the
- * wall; of a dado, only the upper edges beside the door, which end at the corners of the
+/* A door has only its sides and its head drawn, since its lower edge is that of the wall.
+ * A dado has only its upper edges beside the door drawn, which end at the corners of the
  * wall and at the door. */
 static void doors_and_dados_are_drawn_to_scale_without_the_edges_of_their_wall(
     void **state)

@@ -60,8 +60,8 @@ static void above_the_horizon_the_upper_part_is_left(void **state)
     assert_moments(pp_area_moments_above_horizon(&region), 2.0, 0.0, 2.0 / 3.0, box);
 }
 
-/* Of the square from 0 to 4 the box leaves 1.1 to 2.9 by 0.3 to 4. The box cuts one
- * corner off the triangle. */
+/* The box leaves the part from 1.1 to 2.9 by 0.3 to 4 of the square from 0 to 4. It cuts
+ * one corner off the triangle. */
 static void a_box_keeps_the_part_inside_it(void **state)
 {
     (void)state;
