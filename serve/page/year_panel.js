@@ -83,8 +83,8 @@ function moveCursor(day, slot) {
 
 // ---- figures ----
 
-function pairOf(found, digits) {
-    return found && Number.isFinite(found.value) ? figure(found.value, found.se || null) : digits;
+function pairOf(found) {
+    return found && Number.isFinite(found.value) ? figure(found.value, found.se || null) : '\u2013';
 }
 
 function drawFigures() {
@@ -93,7 +93,7 @@ function drawFigures() {
         return;
     }
     const { annual, hourly, values } = shown;
-    const a = annual.average, row = (name, found, unit) => found && h('div', {}, h('dt', {}, name), h('dd', {}, `${pairOf(found, '\u2013')} ${unit}`));
+    const a = annual.average, row = (name, found, unit) => found && h('div', {}, h('dt', {}, name), h('dd', {}, `${pairOf(found)} ${unit}`));
     const months = MONTHS.map((name, m) => {
         let hours = 0, light = 0, enough = 0;
         for (let i = 0; i < values.length; i++) {
@@ -135,8 +135,7 @@ function tellState(sentence) {
 // ---- the stream ----
 
 function show(data, about) {
-    const annual = Array.isArray(data.annual) ? data.annual[0] : data.annual;
-    const { hourly } = annual, values = hourly.average_lux;
+    const { annual } = data, { hourly } = annual, values = hourly.average_lux;
     shown = { annual, hourly, values, map: arrange(hourly, values), about, error: data.error };
     $('year-progress').value = data.progress;
     draw();
