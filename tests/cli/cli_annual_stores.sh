@@ -113,6 +113,39 @@ check "other slats are refused" refuses 1 "geometry or materials" annual \
     -w "$scratch/year.epw" --coefficients-from "$scratch/blind.mtx" --blinds always \
     --samples 32 "$scratch/slats.xml"
 
+# One matrix has the light of one season. The open state of the year is that with leaves; the state
+# without leaves is stored by checkpoints only, and is calculated anew if it is missing.
+tree_room() { # TRANSMITTANCE WINTER-TRANSMITTANCE BARE-FROM
+    awk -v leaves="$1" -v bare="$2" -v from="$3" '{ sub("ground=\"open\"/>", "ground=\"open\" " \
+        "bare-from=\"" from "\"><tree x=\"1\" y=\"-4\" height=\"8\" crown-width=\"5\" " \
+        "transmittance=\"" leaves "\" winter-transmittance=\"" bare "\"/></site>") } 1' "$room" \
+        >"$scratch/tree.xml"
+}
+short="--samples 16 -w $scratch/year.epw"
+stored="-w $scratch/year.epw --coefficients-from $scratch/tree.mtx"
+tree_room 0.2 0.2 11
+kept tree $short --coefficients "$scratch/tree.mtx" "$scratch/tree.xml"
+tree_room 0.2 0.2 3
+check "months without leaves do not matter" kept months $stored "$scratch/tree.xml"
+check "for evergreen trees" equal tree months
+tree_room 0.3 0.3 11
+check "other crowns are refused" refuses 1 "geometry or materials" annual -q $stored \
+    "$scratch/tree.xml"
+check "no trees, too" refuses 1 "geometry or materials" annual -q $stored "$room"
+tree_room 0.2 0.6 11
+kept winter $short --checkpoint "$scratch/seasons" "$scratch/tree.xml"
+check "trees that lose their leaves" kept leaves $stored "$scratch/tree.xml"
+check "have light paths in winter" equal winter leaves
+check "have no matrix" refuses 1 "another transmittance in winter" annual -q $short \
+    --coefficients "$scratch/none.mtx" "$scratch/tree.xml"
+check "and no file of one" test ! -e "$scratch/none.mtx" -a ! -e "$scratch/none.mtx.randomisations"
+stored="-w $scratch/year.epw --coefficients-from $scratch/seasons"
+check "a checkpoint has both seasons" kept both $stored "$scratch/tree.xml"
+check "with the same results" equal winter both
+tree_room 0.2 0.5 11
+check "another winter is refused" refuses 1 "geometry or materials" annual -q $stored \
+    "$scratch/tree.xml"
+
 # ---- interrupted runs ----
 
 # Only randomisations that are not in the file are calculated and added.

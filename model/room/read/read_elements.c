@@ -25,6 +25,15 @@ const struct pp_xml_format pp_read_elements_format = {
     .attributes_only = true,
 };
 
+/* First and last month of trees without leaves in the north, by default; in the south
+ * they are half a year later. */
+enum { BARE_FROM = 11, BARE_TO = 4 };
+
+static int half_a_year_after(int month)
+{
+    return (month + 5) % 12 + 1;
+}
+
 static void read_site(struct pp_reader *r, struct pp_room *room,
                       const struct pp_xml_element *e)
 {
@@ -46,7 +55,6 @@ static void read_site(struct pp_reader *r, struct pp_room *room,
                         "you mean \"GB\"?");
         return;
     }
-    /* November to April in the north; half a year later in the south. */
     bool is_south = form.latitude_rad < 0.0;
     enum pp_work by_place = form.surroundings == PP_INDUSTRIAL ? PP_DIRTY : PP_CLEAN;
     room->site_is_own = true;
@@ -60,11 +68,11 @@ static void read_site(struct pp_reader *r, struct pp_room *room,
         .ground_is_open = form.ground_is_open != 0,
         .dirt = (enum pp_dirt)form.dirt,
         .bare_from = form.bare_from > 0 ? form.bare_from
-                     : is_south         ? 5
-                                        : 11,
+                     : is_south         ? half_a_year_after(BARE_FROM)
+                                        : BARE_FROM,
         .bare_to = form.bare_to > 0 ? form.bare_to
-                   : is_south       ? 10
-                                    : 4,
+                   : is_south       ? half_a_year_after(BARE_TO)
+                                    : BARE_TO,
         .line = e->line};
     pp_read_outside_trees(r, room, e);
     snprintf(room->site.country, sizeof room->site.country, "%s",
@@ -289,8 +297,8 @@ static void read_child(struct pp_reader *r, struct pp_room *room,
 static const struct pp_site_part plain_site = {.latitude_rad = NAN,
                                                .longitude_rad = NAN,
                                                .ground_reflectance = 0.2,
-                                               .bare_from = 11,
-                                               .bare_to = 4};
+                                               .bare_from = BARE_FROM,
+                                               .bare_to = BARE_TO};
 
 /* Sets the room's name, placement and bearing, and the defaults of its elements. */
 static void begin_room(struct pp_reader *r, struct pp_room *room,
