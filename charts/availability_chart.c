@@ -17,7 +17,7 @@ struct availability_plot {
     const struct pp_availability_sheet *sheet;
     const struct pp_availability_row *rows; /* rows of the place and method drawn */
     int row_count;                          /* 0: no illuminances inside are drawn */
-    char place[64];                         /* "on average", "at 1.50, 2.00" */
+    char place[64];                         /* "on average", "at 1.50, 2.00 m" */
     struct pp_axis across, up;
     struct pp_box field;
     struct pp_labels *labels;
@@ -64,7 +64,8 @@ static double top_lx(const struct pp_availability_sheet *sheet)
 
 /* ---- words ---- */
 
-/* Rounds to three significant figures; a curve cannot be read more precisely. */
+/* Rounds to three significant figures, or to 1 lx below 100 lx; a curve cannot be read
+ * more precisely. */
 static double three_figures(double lx)
 {
     double unit = pow(10.0, fmax(0.0, floor(log10(lx)) - 2.0));
@@ -132,8 +133,8 @@ static double up_at(const struct availability_plot *plot, double share)
     return pp_axis_at(&plot->up, 100.0 * share);
 }
 
-/* Draws a curve as steps, from zero to the brightest hour. Steps too small to be
- * visible are omitted. */
+/* Draws a curve as steps, from 0 lx to the brightest hour or the end of the scale.
+ * Steps too small to be visible are omitted. */
 static void draw_curve(struct availability_plot *plot, int index)
 {
     const struct pp_availability_period *period = &plot->sheet->periods[index];

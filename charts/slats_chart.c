@@ -82,7 +82,8 @@ static void draw_slat_plot(const struct slats_plot *plot)
     draw_slat_curves(plot);
 }
 
-/* Draws some slats in section in a box, with the outside on the left. */
+/* Draws some slats in a box: in section, with the outside on the left, or vertical
+ * slats in plan, with the outside below. */
 static void draw_slat_section(const struct slats_plot *plot, struct pp_box box)
 {
     const struct pp_slats *slats = &plot->sheet->device.slats;
@@ -110,7 +111,7 @@ static void draw_slat_section(const struct slats_plot *plot, struct pp_box box)
                                      : "section: the outside is on the left");
 }
 
-/* Draws the table below the upper edge of the box. */
+/* Draws the table, which fills the height of the box. */
 static void draw_slat_table(const struct slats_plot *plot, struct pp_box box)
 {
     static const char *const heads[COLUMNS] = {"profile angle", "straight", NULL, NULL,

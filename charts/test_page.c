@@ -111,8 +111,8 @@ static void draw_text_sizes(const struct test_page *sheet, double x, double y)
     pp_lettering_draw(sheet->cr, &sheet->style, &letters, x, y + 1.5, sample);
 }
 
-/* Draws greys from black to white in steps of 10 %, and the lightest tint used in
- * charts. */
+/* Draws greys from black to 20 % black in steps of 10 %, then the fill of charts (12
+ * %), half of it, and white. */
 static void draw_greys(const struct test_page *sheet, double y)
 {
     enum { STEPS = 12 };

@@ -14,7 +14,8 @@ enum { PP_TEST_PAGE_RULER_MM = 100 };
 enum pp_status pp_test_page_draw(struct pp_canvas *canvas, struct pp_error *err);
 
 /* Writes the family name (UTF-8) of the font used for charts on this machine. Returns
- * the number of characters on the test page that are missing from all fonts. */
+ * the number of characters of the test page's sample text that are missing from all
+ * fonts. */
 int pp_test_page_font(char *family, size_t room);
 
 #endif

@@ -20,8 +20,8 @@ static const double margin_mm = 16.0, foot_mm = 18.0;
 /* If less than this fraction of a sheet is left, a chapter begins a new sheet. */
 static const double chapter_share = 0.6;
 
-/* Maximum number of lines of a text given by the user, such as a name or a command
- * line. */
+/* Maximum number of lines of a heading or paragraph. A text given by the user, such as
+ * a name or a command line, may be long. */
 enum { LINES_MOST = 12 };
 
 struct sheet_setter {
@@ -91,22 +91,23 @@ static double left_on_sheet(const struct sheet_setter *setter)
     return setter->body.y + setter->body.height - setter->y;
 }
 
-/* Begins a new sheet unless `height` is left on the current sheet. */
+/* Begins a new sheet unless `height` (mm) is left on the current sheet, or the current
+ * sheet is empty. */
 static void need(struct sheet_setter *setter, double height)
 {
     if (height > left_on_sheet(setter) && !at_top(setter))
         begin_sheet(setter);
 }
 
-/* ---- blocks: height of each, with the space above it ---- */
+/* ---- blocks ---- */
 
 static double gap(const struct sheet_setter *setter, double mm)
 {
     return at_top(setter) ? 0.0 : mm * setter->style.scale;
 }
 
-/* Places text `in` mm from the body's left edge. If `drawn` is false, only measures.
- * Returns the height of the text. */
+/* Places text `in` mm from the body's left and right edges. If `drawn` is false, or in
+ * the first pass, only measures. Returns the height of the text. */
 static double put_sheet_words(struct sheet_setter *setter, struct pp_lettering set,
                               double in, double y, const char *words, bool drawn)
 {

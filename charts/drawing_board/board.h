@@ -24,8 +24,8 @@ static inline double pp_board_y(const struct pp_board_map *map, double y)
     return map->y0 - map->mm * y;
 }
 
-/* Tints the visible parts of windows: sky, or, darker and hatched, obstruction.
- * `within` limits the hatching (mm on paper). */
+/* Tints the visible parts of windows: sky lightly, obstructions darker and with
+ * hatching. `within` limits the hatching (mm on paper). */
 void pp_board_tints(cairo_t *cr, const struct pp_style *style,
                     const struct pp_board_map *map,
                     const struct pp_board_window *windows, int count,

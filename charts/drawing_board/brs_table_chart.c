@@ -10,8 +10,8 @@
 #include "charts/sheet/labels.h"
 #include "model/base/text.h"
 
-/* Maximum number of readings that are numbered and listed. A window has four readings,
- * and each obstruction four more. */
+/* Maximum number of readings that are numbered and listed. A window has up to four
+ * readings, and each obstruction up to four more. */
 enum { READINGS_MOST = 36, LIST_COLUMNS = 2, TEXT_BYTES = 4096 };
 
 struct table_drawing {
@@ -82,8 +82,8 @@ static void draw_figures(const struct table_drawing *drawing)
     }
 }
 
-/* Draws a rule below the column heads, a rule beside the row heads, and a thin rule at
- * every fifth row. */
+/* Draws a frame, a rule below the column heads, a rule beside the row heads, and a thin
+ * rule at every fifth row. */
 static void draw_rules(const struct table_drawing *drawing)
 {
     cairo_t *cr = drawing->cr;
@@ -204,7 +204,7 @@ static void put_number(const struct table_drawing *drawing,
     snprintf(words, sizeof words, "%d", number);
     struct pp_box size =
         pp_lettering_measure(drawing->cr, &drawing->style, &set, x, y, words);
-    /* Digits have no descenders, so the box can be lower. */
+    /* Digits have no descenders, so the box needs no space for them. */
     double below = 0.22 * size.height;
     size.height -= below;
     struct pp_box box = find_place(drawing, x, y, size);
@@ -362,7 +362,8 @@ static void brs_table_titles(const struct pp_brs_sheet *sheet, char *title,
 }
 
 /* Fits the table into the box. Besides the figures, the table has a row and a column of
- * heads, each with a line for its name. */
+ * heads. The name of the column heads is on a line above the table, that of the row
+ * heads in the corner cell. */
 static void lay_table(struct table_drawing *drawing, struct pp_box box)
 {
     double name = 1.0, heads = 1.0;

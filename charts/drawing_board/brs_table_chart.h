@@ -6,7 +6,7 @@
 #include "charts/sheet/canvas.h"
 #include "model/results/sheets/brs_sheet.h"
 
-/* Draws the table. Readings between cell centres are interpolated. */
+/* Draws the table. A cross between cell centres marks an interpolated reading. */
 enum pp_status pp_brs_table_chart_draw(struct pp_canvas *canvas,
                                        const struct pp_brs_sheet *sheet,
                                        struct pp_error *err);

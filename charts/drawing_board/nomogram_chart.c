@@ -154,7 +154,8 @@ static void draw_edges(const struct pp_nomogram_curve_frame *drawing)
     cairo_set_dash(drawing->cr, NULL, 0, 0.0);
 }
 
-/* Text of a reading, and its preferred y (`wanted`). */
+/* Text of a reading. wanted: y of the reading on its stem, where the leader begins; y:
+ * y of the text. */
 struct note {
     double wanted, y;
     char words[48];
@@ -166,7 +167,8 @@ static int by_height(const void *a, const void *b)
     return (difference > 0.0) - (difference < 0.0);
 }
 
-/* Moves notes down the sheet, in order of y, until they are at least `gap` apart. */
+/* Sorts notes by y, and moves close neighbours up and down by equal amounts until they
+ * are at least `gap` apart. */
 static void spread(struct note *notes, int count, double gap)
 {
     qsort(notes, (size_t)count, sizeof *notes, by_height);
@@ -230,7 +232,7 @@ static int neighbour(const struct pp_nomogram_curve_frame *drawing, int stem)
     return nearest;
 }
 
-/* Width of a stem's figures, in mm. */
+/* Width of a stem's figures and of the space between stem and figures, mm. */
 static double figures_mm(const struct pp_style *style)
 {
     return 3.3 * style->scale + 2.4 * style->text[PP_TEXT_SMALL];
@@ -266,8 +268,8 @@ static bool covers_figures(const struct pp_nomogram_curve_frame *drawing, int st
     return false;
 }
 
-/* Height nearest to y, farther from `wanted`, at which a single reading does not cover
- * any figures. */
+/* The y nearest to `y`, in the direction away from `wanted`, at which a single reading
+ * does not cover any figures; `y` if there is none nearby. */
 static double clear_height(const struct pp_nomogram_curve_frame *drawing, int stem,
                            double wanted, double y, double width)
 {

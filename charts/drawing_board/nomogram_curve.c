@@ -1,4 +1,5 @@
-/* nomogram_curve.c - draws marks perpendicular to the curve, with figures above it. */
+/* nomogram_curve.c - draws the curve with perpendicular marks and figures above it, and
+ * the straight-edges across it. */
 #include "charts/drawing_board/nomogram_curve.h"
 
 #include <math.h>

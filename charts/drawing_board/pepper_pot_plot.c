@@ -17,7 +17,7 @@ struct pepper_pot_plot {
     const struct pp_pepper_pot_panel *panel;
     struct pp_box frame;
     struct pp_board_map map; /* map.mm is the viewing distance */
-    int first;               /* number of the panel's first window */
+    int first;               /* index of the panel's first window */
 };
 
 /* --- windows -------------------------------------------------------------------------
@@ -44,7 +44,7 @@ static void draw_outlines(const struct pp_pepper_pot_drawing *drawing,
                              &plot->panel->windows[w].pieces[p].outline);
 }
 
-/* Writes each window's letter beside the upper left corner of its visible part. */
+/* Writes each window's letter above the upper left corner of its visible part. */
 static void draw_letters(const struct pp_pepper_pot_drawing *drawing,
                          const struct pepper_pot_plot *plot)
 {

@@ -29,7 +29,8 @@ struct pp_bounds2 pp_pepper_pot_plot_extent(const struct pp_pepper_pot_panel *pa
 struct pp_box pp_pepper_pot_plot_frame(const struct pp_pepper_pot_drawing *drawing,
                                        struct pp_box room);
 
-/* Draws a panel of the sheet; `first` is the number of its first window. */
+/* Draws a panel of the sheet; `first` is the index of its first window, among those of
+ * all panels. */
 void pp_pepper_pot_plot_draw(const struct pp_pepper_pot_drawing *drawing,
                              const struct pp_pepper_pot_panel *panel, int first,
                              struct pp_box room);

@@ -9,7 +9,7 @@
 #include "charts/drawing_board/protractor_disc.h"
 #include "charts/drawing_board/protractor_worked.h"
 
-/* Least total height of title, notes and ruler (mm). */
+/* Height reserved for notes and ruler (mm). */
 static double taken_mm(const struct pp_style *style)
 {
     return 50.0 * style->scale;

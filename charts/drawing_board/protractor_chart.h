@@ -11,7 +11,7 @@
 #include "model/results/protractor_sheet.h"
 
 /* Largest radius that fits on the sheet, and radius of the arc of the primary scale
- * (mm). */
+ * (mm). worked: the arc on a worked sheet, else on a single protractor. */
 double pp_protractor_chart_radius_mm(const struct pp_canvas *canvas);
 double pp_protractor_chart_arc_mm(const struct pp_canvas *canvas, bool worked);
 

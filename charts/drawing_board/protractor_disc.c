@@ -100,7 +100,8 @@ static void write_round(cairo_t *cr, const struct pp_style *style,
 }
 
 /* Draws degree marks on the rim from `low` to `high`. first_label: first degree that is
- * labelled; labels give the angle from 0. */
+ * labelled; as many degrees at the other end have no label either. Labels give the
+ * angle from 0, without a sign. */
 static void draw_rim(cairo_t *cr, const struct pp_style *style,
                      const struct pp_protractor_disc *disc, place_function *place,
                      int low, int high, int first_label)
@@ -165,7 +166,8 @@ void pp_protractor_disc_primary(cairo_t *cr, const struct pp_style *style,
         arc(cr, &other, pp_protractor_disc_section, disc->radius, 0.0, PP_PI / 2.0);
         cairo_stroke(cr);
     }
-    /* Draws the radii at 0 degrees (base) and at the zenith. */
+    /* Draws the radii of the base line and of the end of the scale, and a short mark
+     * towards the zenith. */
     double at = pp_protractor_disc_arc(style, disc->radius);
     pp_style_line(cr, style->thin, disc->grey);
     radial(cr, disc, pp_protractor_disc_section, 0.0, 0.0, disc->radius);
@@ -224,8 +226,8 @@ static void write_factors(cairo_t *cr, const struct pp_style *style,
     }
 }
 
-/* Writes the average altitude of each semicircle on the normal, if the space between
- * semicircles is sufficient. */
+/* Writes the average altitudes of the semicircles on the normal: every 10 degrees, or
+ * every 20 if the semicircles are close together. */
 static void write_averages(cairo_t *cr, const struct pp_style *style,
                            const struct pp_protractor_disc *disc)
 {

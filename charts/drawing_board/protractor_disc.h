@@ -31,7 +31,8 @@ double pp_protractor_disc_border(const struct pp_style *style);
 double pp_protractor_disc_arc(const struct pp_style *style, double radius);
 
 /* Position on paper (mm) of a point given by its distance from the centre (mm) and its
- * angle in the section or in the plan. */
+ * angle: in the section from the base line, in the plan from the normal, positive to
+ * the right as seen from inside. */
 void pp_protractor_disc_section(const struct pp_protractor_disc *disc, double angle_rad,
                                 double distance, double xy[2]);
 void pp_protractor_disc_plan(const struct pp_protractor_disc *disc, double angle_rad,

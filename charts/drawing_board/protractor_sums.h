@@ -16,13 +16,14 @@ struct pp_protractor_sums {
     bool last;      /* the sheet with the result */
 };
 
-/* Writes the readings of the sheet, one per line, numbered if there are several. On the
- * last sheet the result follows. */
+/* Writes the readings of the sheet, one per line, numbered if there are more than
+ * PP_PROTRACTOR_SUMS_MOST in all. On the last sheet the result follows. */
 void pp_protractor_sums_say(char *text, size_t room,
                             const struct pp_protractor_sheet *sheet,
                             const struct pp_protractor_sums *sums);
 
-/* Writes a reading in per cent to two decimals, the precision of a careful reader. */
+/* Writes a reading in per cent, without its sign, to two decimals, the precision of a
+ * careful reader. */
 void pp_protractor_sums_percent(char *text, size_t room, double fraction);
 
 #endif

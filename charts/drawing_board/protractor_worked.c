@@ -250,8 +250,9 @@ static double caption_mm(const struct pp_style *style)
     return 3.6 * style->text[PP_TEXT_SMALL];
 }
 
-/* Draws the opening as seen straight ahead: a line that crosses the sight lines to the
- * jambs. */
+/* Draws the plan for an auxiliary scale that is turned down. The plan lies in the plane
+ * of the average sight line; the opening is a line straight ahead, at the slant
+ * distance. */
 static void draw_turned_down(const struct protractor_drawing *drawing,
                              struct pp_box box)
 {
@@ -301,8 +302,8 @@ static void draw_turned_down(const struct protractor_drawing *drawing,
                   text);
 }
 
-/* Adds the space outside the room that the half disc and its text need: to `low` at the
- * left and below, to `high` at the right and above. */
+/* Increases `low` (left, below) and `high` (right, above), where necessary, to the
+ * space (mm) outside the room that the half disc and its text need. */
 static void make_room_for_disc(const struct protractor_drawing *drawing,
                                const struct pp_room_plan *plan, double low[2],
                                double high[2])

@@ -8,8 +8,8 @@
 #include "model/results/sheets/skylight_indicator_sheet.h"
 
 /* Draws the indicator. The unit of length is a distance equal to the height. On paper
- * the unit is a multiple of 5 mm, or of 1 mm on small sheets, and is stated at the
- * foot. */
+ * the unit is a multiple of 5 mm, or of 1 mm on small sheets, and is stated below the
+ * diagram. */
 enum pp_status pp_skylight_indicator_chart_draw(
     struct pp_canvas *canvas, const struct pp_skylight_indicator_sheet *sheet,
     struct pp_error *err);

@@ -1,5 +1,5 @@
-/* waldram_chart.h - Waldram's diagram: blank, or with a room's windows, the counted
- * squares shaded and the sum below. */
+/* waldram_chart.h - Waldram's diagram: blank, or with a room's windows tinted, the
+ * counted tenths of partly covered squares, and the sum below. */
 #ifndef PP_CHARTS_DRAWING_BOARD_WALDRAM_CHART_H
 #define PP_CHARTS_DRAWING_BOARD_WALDRAM_CHART_H
 

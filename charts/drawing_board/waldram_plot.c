@@ -224,7 +224,7 @@ static void draw_azimuths(const struct pp_waldram_drawing *drawing,
     for (int degree = -end; degree <= end; degree += step) {
         double x = azimuth_place(plot, degree);
         /* For a glazed window the scale is compressed towards its ends. Labels that
-         * would overlap the labels of the ends are omitted. */
+         * would overlap the previous label or those of the ends are omitted. */
         bool crowds = abs(degree) != end
                       && (fabs(x - azimuth_place(plot, end)) < width || x - last < width
                           || fabs(x - azimuth_place(plot, -end)) < width);
