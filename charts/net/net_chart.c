@@ -258,8 +258,8 @@ static struct pp_bounds2 painted_extent(const struct net_drawing *drawing,
     return extent;
 }
 
-/* Writes a label as near to the middle of the panel as possible without covering a
- * line. Returns false if there is no space. */
+/* Writes a label as near to the middle of the painted area as possible without covering
+ * a line. Returns false if there is no space. */
 static bool write_words(const struct net_drawing *drawing,
                         const struct painted *painted, const char *words)
 {

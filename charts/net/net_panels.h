@@ -18,7 +18,8 @@ enum pp_net_join {
 };
 
 struct pp_net_edge {
-    int number;      /* number printed on the edge; edges that meet share it */
+    int number; /* number of the edge, from 0; printed from 1. Edges that meet have the
+                   same number */
     int panel, edge; /* panel and edge with the same end points; -1: none */
     enum pp_net_join join;
 };

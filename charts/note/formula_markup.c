@@ -1,5 +1,5 @@
-/* formula_markup.c - see formula_markup.h. A name is a Latin or Greek letter, followed
- * by subscripts. */
+/* formula_markup.c - see formula_markup.h. A name begins with a Latin or Greek letter,
+ * continues with letters and digits, and may have subscripts. */
 #include "charts/note/formula_markup.h"
 
 #include <ctype.h>
@@ -41,8 +41,8 @@ static bool is_function(const char *name, int length)
     return false;
 }
 
-/* Begins small type, raised by rise_mm (negative: lowered). Pango expects the rise in
- * 1/1024 of a unit of the drawing. */
+/* Begins small type, raised by rise_mm (negative: lowered) before the layout is scaled
+ * (lettering.c). Pango expects the rise in 1/1024 of a unit of the layout. */
 static void begin_small(char *markup, size_t room, double rise_mm)
 {
     pp_text_append(markup, room, "<span size=\"x-small\" rise=\"%d\">",

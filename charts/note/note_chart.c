@@ -57,7 +57,8 @@ static void begin_sheet(struct note_drawing *drawing)
     cairo_stroke(drawing->cr);
 }
 
-/* Begins a new sheet unless `height` is left on the current sheet. */
+/* Begins a new sheet unless `height` (mm) is left on the current sheet, or the current
+ * sheet has no lines yet. */
 static void need(struct note_drawing *drawing, double height)
 {
     double left = drawing->lines.y + drawing->lines.height - drawing->y;
@@ -126,8 +127,8 @@ static void put_figure(struct note_drawing *drawing, const char *figure, bool bo
 }
 
 /* Places a step: formula, inserted values, and the result with its name. For a number
- * that was read from a table or chart, places its symbol and name. Returns the
- * height. */
+ * that was read from a table or chart, places its symbol, name and value. If `drawn` is
+ * false, only measures. Returns the height. */
 static double put_step(struct note_drawing *drawing, const struct pp_steps *steps,
                        int index, bool drawn)
 {

@@ -14,8 +14,8 @@ enum pp_status pp_note_drawings_room(double *height, cairo_t *cr,
                                      const struct pp_report *report, struct pp_box box,
                                      struct pp_error *err);
 
-/* Draws the wall with the opening tinted, seen from inside, as wide as the box. If
- * `drawn` is false, only measures. Returns the height. */
+/* Draws the wall with the opening tinted, seen from inside, at the largest usual scale
+ * that fits the box. If `drawn` is false, only measures. Returns the height. */
 double pp_note_drawings_opening(cairo_t *cr, const struct pp_style *style,
                                 const struct pp_report *report, int opening,
                                 struct pp_box box, bool drawn);

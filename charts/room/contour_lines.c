@@ -103,8 +103,8 @@ static struct station chord_at(const struct track *track, double at, double widt
                             (after.x - before.x) / chord, (after.y - before.y) / chord};
 }
 
-/* True if a label at this station, turned along the line, does not cover places
- * registered by other owners. */
+/* True if a label at this station, turned along the line, is in the field and does not
+ * cover places of other owners. */
 static bool is_clear(const struct pp_labels *labels, int owner, struct station at,
                      double width, double height)
 {

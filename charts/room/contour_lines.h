@@ -8,7 +8,7 @@
 #include "model/geometry/curve.h"
 
 /* Draws a curve with the figure of its level in a gap, along the line and never upside
- * down. The figure avoids labels of other owners and is registered in `labels`. Returns
+ * down. The figure avoids places of other owners and is registered in `labels`. Returns
  * false if the line has no figure because it is too short or has no free place. */
 bool pp_contour_lines_draw(cairo_t *cr, const struct pp_style *style,
                            const struct pp_room_plan *plan,

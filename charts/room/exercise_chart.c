@@ -197,7 +197,7 @@ static void dimension(const struct exercise_drawing *drawing, double x0, double 
 }
 
 /* Draws dimensions of the wall: below, to the jambs of the openings; at the left, to
- * the lowest sill and the highest head. */
+ * the lowest sill and the highest head. Also labels the openings. */
 static void draw_elevation_dimensions(const struct exercise_drawing *drawing,
                                       const struct pp_room_elevation *elevation)
 {

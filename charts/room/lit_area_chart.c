@@ -11,11 +11,12 @@
 #include "charts/sheet/hatch.h"
 #include "charts/sheet/page.h"
 
-/* Curve styles of style.c: solid for the present state, dashed for the former. */
+/* Curve styles of style.c: solid for the proposed state, dash-dotted for the existing
+ * state. */
 enum { LINE_NOW = 0, LINE_BEFORE = 2 };
 
-/* Areas smaller than this (m2) are within the tolerance of the lines, and are not drawn
- * as loss or gain. */
+/* Areas smaller than this (m2) are within the tolerance of the lines, and are not
+ * reported as loss or gain. */
 static const double no_area_m2 = 0.005;
 
 struct lit_drawing {

@@ -1,5 +1,6 @@
-/* lit_area_chart.h - plan of the room, to scale, with the sufficiently lit area at
- * present and formerly. The lost area is hatched. */
+/* lit_area_chart.h - plan of the room, to scale, with the sufficiently lit area of the
+ * proposed state and, for comparison, of the existing state. Lost and gained areas are
+ * hatched. */
 #ifndef PP_CHARTS_ROOM_LIT_AREA_CHART_H
 #define PP_CHARTS_ROOM_LIT_AREA_CHART_H
 

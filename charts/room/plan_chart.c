@@ -33,7 +33,7 @@ struct plan_drawing {
 /* Curve style of style.c used for the no-sky line. */
 enum { NO_SKY_LINE = 2 };
 
-/* Label owner of the no-sky line. Labels of a contour have the index of the contour as
+/* Label owner of the no-sky line. Places of a contour have the index of the contour as
  * owner. */
 enum { NO_SKY_OWNER = PP_LABEL_MARKS - 1 };
 
@@ -350,7 +350,7 @@ static void lay_plan(struct plan_drawing *drawing, struct pp_box field)
 }
 
 /* Paints white the fittings that pass through the plane, since there is no daylight
- * factor. */
+ * factor inside them. */
 static void blank_fittings(const struct plan_drawing *drawing)
 {
     const struct pp_world *world = drawing->chart->world;

@@ -1,9 +1,10 @@
 /* plan_chart.h - the room's plan with contours of the daylight factor and the no-sky
  * line, to scale.
  *
- * The scale is the largest usual scale (1:1, 2, 5, 10, 20, 25, 50, 100 ...) that fits
- * the sheet, and is printed. Walls are cut at the working plane. Openings in vertical
- * faces are drawn as in architects' plans; other openings are outlines seen from above.
+ * The scale is the largest usual scale (1:1, 2, 5, 10, 20, 25, 50, 75, 100 ...) that
+ * fits the sheet, and is printed. Walls are cut at the working plane. Openings in
+ * vertical faces are drawn as in architects' plans; other openings are outlines seen
+ * from above.
  */
 #ifndef PP_CHARTS_ROOM_PLAN_CHART_H
 #define PP_CHARTS_ROOM_PLAN_CHART_H
@@ -17,7 +18,7 @@
 /* Fill between the contours. */
 enum pp_plan_fill {
     PP_FILL_NONE,
-    PP_FILL_COLOUR, /* dark blue to yellow, with increasing luminance */
+    PP_FILL_COLOUR, /* blue to yellow, with increasing luminance */
     PP_FILL_GREY,   /* for black-and-white print: less light is darker */
 };
 

@@ -41,8 +41,9 @@ void pp_plan_figures_draw(cairo_t *cr, const struct pp_style *style,
                           const struct pp_plan_chart *chart,
                           const struct pp_plan_figure *list);
 
-/* Writes minimum, median, mean, uniformity and the fractions of the plane above the
- * levels, as one or two sentences; empty if there are none. */
+/* Appends minimum, median, mean and uniformity of the grid, the fractions of its points
+ * that reach the levels, and the average over the plane, as one or two sentences.
+ * Appends nothing if there are no such values. */
 void pp_plan_figures_say(char *text, size_t room, const struct pp_plan_chart *chart);
 
 #endif

@@ -36,9 +36,9 @@ static void set_colour(cairo_t *cr, enum pp_plan_fill fill, double factor, int a
     cairo_set_source_rgb(cr, rgb[0], rgb[1], rgb[2]);
 }
 
-/* Lists the levels of the contours, each once, ascending; returns their number. */
 enum { LEVELS_MOST = 64 };
 
+/* Lists the levels of the contours, each once, ascending; returns their number. */
 static int levels_of(double levels[LEVELS_MOST],
                      const struct pp_daylight_plan *daylight)
 {

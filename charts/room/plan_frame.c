@@ -25,7 +25,7 @@ static void add_corners(struct pp_bounds2 *outer, const struct pp_room_plan *pla
             fmin(fmax(corners[i].y, room->low[1] - most), room->high[1] + most));
 }
 
-/* True if the pane is the top of a crown that is nearer to the room than that. */
+/* True if the pane is the top of a crown that is nearer to the room than most_m. */
 static bool is_crown_near(const struct pp_room_plan *plan,
                           const struct pp_outer_pane *pane, double most_m)
 {

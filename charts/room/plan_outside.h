@@ -1,5 +1,5 @@
 /* plan_outside.h - parts of a plan above and below the cut: facades, balconies and
- * other shading of windows, and outlines of furniture. */
+ * other shading of windows, crowns of trees, and outlines of furniture. */
 #ifndef PP_CHARTS_ROOM_PLAN_OUTSIDE_H
 #define PP_CHARTS_ROOM_PLAN_OUTSIDE_H
 

@@ -297,8 +297,8 @@ void pp_room_plan_draw(cairo_t *cr, const struct pp_style *style,
 struct pp_box pp_room_plan_scale_bar(cairo_t *cr, const struct pp_style *style,
                                      double mm_per_m, double x, double y)
 {
-    /* Largest of 1, 2 or 5 times a power of ten (m) that is at most 60 mm long on
-     * paper. */
+    /* Largest of 1, 2 or 5 times a power of ten (m) that is not longer than 60 mm on
+     * A4. */
     double most = 60.0 * style->scale / mm_per_m;
     double power = pow(10.0, floor(log10(most)));
     double metres = most >= 5.0 * power   ? 5.0 * power

@@ -28,7 +28,8 @@ void pp_room_plan_place(struct pp_room_plan *plan, const struct pp_style *style,
 /* Adds the outline of the working plane to the path. */
 void pp_room_plan_path(cairo_t *cr, const struct pp_room_plan *plan);
 
-/* Draws walls, openings, and free-standing surfaces in the room. */
+/* Draws walls, doors, openings, free-standing surfaces in the room, and the parts in
+ * plan_outside.h. */
 void pp_room_plan_draw(cairo_t *cr, const struct pp_style *style,
                        const struct pp_room_plan *plan);
 
@@ -37,8 +38,8 @@ void pp_room_plan_draw(cairo_t *cr, const struct pp_style *style,
 bool pp_room_plan_has_overhead(const struct pp_world *world);
 bool pp_room_plan_has_inside(const struct pp_world *world);
 
-/* Draws a scale bar of a round length, 20 to 60 mm on paper. x, y: upper left corner.
- * Returns its box. */
+/* Draws a scale bar of a round length, 24 to 60 mm on A4 paper. x, y: upper left
+ * corner. Returns its box. */
 struct pp_box pp_room_plan_scale_bar(cairo_t *cr, const struct pp_style *style,
                                      double mm_per_m, double x, double y);
 

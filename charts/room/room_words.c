@@ -1,5 +1,5 @@
-/* room_words.c - see room_words.h. Lengths are given to the centimetre, fractions to
- * two or three digits. */
+/* room_words.c - see room_words.h. Lengths of room and openings are given to the
+ * centimetre, lengths outside to four digits, fractions to two or three digits. */
 #include "charts/room/room_words.h"
 
 #include <math.h>

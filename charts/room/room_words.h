@@ -15,7 +15,7 @@ void pp_room_words_size(char *text, size_t room, const struct pp_world *world);
 void pp_room_words_opening(char *text, size_t room, const struct pp_world *world,
                            int opening);
 
-/* Appends the skylines and blocks, which may be outside the drawings. */
+/* Appends the skylines, blocks and trees, which may be outside the drawings. */
 void pp_room_words_outside(char *text, size_t room, const struct pp_world *world);
 
 #endif

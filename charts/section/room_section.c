@@ -138,8 +138,8 @@ static bool is_beyond_ends(const struct pp_section_cut *cut,
     return s < -PP_TOUCH_M || s > cut->length_m + PP_TOUCH_M;
 }
 
-/* Draws the openings that the section plane does not cut, as seen in elevation behind
- * it. Returns their number. */
+/* Draws dashed outlines, in elevation, of the openings behind or in front of the
+ * section that it does not cut. Returns their number. */
 static int draw_openings_behind(const struct section_drawing *drawing)
 {
     const struct pp_world *world = drawing->section->world;
@@ -197,7 +197,7 @@ static void draw_covers_behind(const struct section_drawing *drawing)
 }
 
 /* Draws the blind, screen or curtain beside cut glass. ends: ends of the glass on
- * paper. Slats are arranged upwards. */
+ * paper. Slats follow each other from the lower to the upper end. */
 static void draw_device_cut(const struct section_drawing *drawing,
                             const struct pp_opening *opening, double ends[2][2])
 {
@@ -266,7 +266,8 @@ static double facade_mm(const struct section_drawing *drawing, int face)
     return 0.0;
 }
 
-/* Traces a band parallel to a cut, at distances `from` to `to` (mm) from it. */
+/* Traces a band beside a cut, at horizontal distances from `from` to `to` (mm,
+ * negative: to the left). */
 static void trace_beside(const struct section_drawing *drawing,
                          const struct pp_cut *cut, double from, double to)
 {

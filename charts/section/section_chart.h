@@ -10,9 +10,9 @@
  * The receivers must be on one straight horizontal line, in any direction and in any
  * order. The vertical section follows that line. If only one end of the line is at a
  * wall with a window, that wall is drawn on the left. Distances are measured from the
- * inside face of the wall on the left. Openings that are not cut are drawn in outline,
- * as seen beyond the cut. Obstructions outside are represented by the line of sight
- * from the middle of the window to their top edge.
+ * inside face of the wall on the left. Openings that are not cut are dashed outlines.
+ * Obstructions outside are represented by the line of sight from the middle of the
+ * window to their top edge.
  */
 #ifndef PP_CHARTS_SECTION_SECTION_CHART_H
 #define PP_CHARTS_SECTION_SECTION_CHART_H

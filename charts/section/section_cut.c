@@ -1,4 +1,4 @@
-/* section_cut.c - finds the line of the receivers and cuts every polygon of the world
+/* section_cut.c - finds the line of the receivers and cuts the polygons of the world
  * along that line.
  */
 #include "charts/section/section_cut.h"
@@ -33,8 +33,9 @@ static double off_plane(const struct pp_section_cut *cut, struct pp_vec3 point)
 
 /* ---- the line ---- */
 
-/* Sets the direction of the section perpendicular to the opening with the nearest
- * centre, or along y if there is no opening. */
+/* Sets the direction of the section: the horizontal direction of the inner normal of
+ * the opening with the nearest centre, or y if there is no opening. Horizontal openings
+ * are ignored. */
 static void aim_at_opening(struct pp_section_cut *cut, const struct pp_world *world,
                            struct pp_vec3 point)
 {

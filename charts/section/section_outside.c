@@ -90,7 +90,7 @@ static double building_mm(const struct outside_drawing *drawing)
 }
 
 /* Draws the building opposite at the end of the line of sight, from the head of the
- * building to the ground or the end of the drawing. */
+ * building down to the ground, but at most to 3 mm (on A4) below the floor. */
 static void draw_building(const struct outside_drawing *drawing)
 {
     cairo_t *cr = drawing->cr;

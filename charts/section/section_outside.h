@@ -14,7 +14,8 @@ void pp_section_outside_draw(cairo_t *cr, const struct pp_style *style,
                              const struct pp_room_section *section, bool near);
 
 /* Appends a sentence on distance and height of the obstruction at that end, for
- * sections without lines of sight. Appends nothing if there is none. */
+ * sections without lines of sight. Appends nothing if there is no obstruction or its
+ * distance is infinite. */
 void pp_section_outside_say(char *text, size_t room,
                             const struct pp_room_section *section, bool near);
 

@@ -12,7 +12,7 @@ double pp_section_words_mm(const struct pp_style *style)
 }
 
 /* Finds the lowest and highest z of the room's faces at s. Returns false if they are
- * equal. */
+ * equal, or if there is no face. */
 static bool heights_at(const struct pp_section_cut *cut, double s, double *low,
                        double *high)
 {
@@ -58,8 +58,8 @@ static double draw_height(cairo_t *cr, const struct pp_style *style,
     return x;
 }
 
-/* Writes the name of the room at the top of the section, in the middle, or beside the
- * height dimension if that is in the middle. */
+/* Writes the name of the room in the upper part of the section, in the middle, or left
+ * of the height dimension if that is in the middle. */
 static void name_room(cairo_t *cr, const struct pp_style *style,
                       const struct pp_room_section *section, double height_x)
 {
