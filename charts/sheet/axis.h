@@ -46,7 +46,7 @@ double pp_axis_draw_across(cairo_t *cr, const struct pp_style *style,
 double pp_axis_draw_up(cairo_t *cr, const struct pp_style *style,
                        const struct pp_axis *axis, double x);
 
-/* Width of the tick labels of a vertical axis, mm. */
+/* Distance to which the tick labels of a vertical axis extend from the axis, mm. */
 double pp_axis_reach(cairo_t *cr, const struct pp_style *style,
                      const struct pp_axis *axis);
 

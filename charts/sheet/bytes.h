@@ -19,7 +19,8 @@ void pp_bytes_clear(struct pp_bytes *bytes);
 
 /* Copies an SVG file made by cairo into *svg, which must be empty. The root gets the
  * size in mm, <title> and <desc>. Ids are renumbered in order of appearance, with a
- * prefix made from the drawing. Returns false if memory is exhausted. */
+ * prefix made from the title and the drawing. Returns false if memory is exhausted or
+ * there is no <svg> element. */
 bool pp_bytes_name_svg(struct pp_bytes *svg, const struct pp_bytes *cairo,
                        double width_mm, double height_mm, const char *title,
                        const char *description);

@@ -29,7 +29,7 @@ enum { WHOLE_BYTES_MOST = 128 << 20, BAND_BYTES = 32 << 20 };
 enum { OUTLINE_LEVELS = 3 };
 
 struct pp_canvas {
-    struct pp_sheet sheet; /* copy with title and description owned by the canvas */
+    struct pp_sheet sheet; /* copy; its title and description are not used */
     char *title, *description;
     char imprint[160];
     struct pp_project project;

@@ -8,7 +8,7 @@
  *   SVG  has <title> and <desc>, its size in mm, and ids with a prefix made from its
  *        title and drawing, so that several drawings can be in one page
  *   PNG  has a white background, or none, and states its resolution; a large PNG is
- *        drawn in bands, so that a sheet of any size and resolution needs about 100 MiB
+ *        drawn in bands, so that its pixels never need more than 128 MiB of memory
  *
  * The caller writes the file: a finished canvas gives a block of bytes, or is passed to
  * a function of the caller.
@@ -59,7 +59,7 @@ double pp_canvas_height_mm(const struct pp_canvas *canvas);
 void pp_canvas_lacks_memory(cairo_t *cr);
 
 /* Sets the small print at the foot of this and later sheets, which states the source of
- * the drawing. The text is copied, and cut at 160 bytes. Initially there is none. */
+ * the drawing. The text is copied, and cut to 159 bytes. Initially there is none. */
 void pp_canvas_set_imprint(struct pp_canvas *canvas, const char *words);
 const char *pp_canvas_imprint(const struct pp_canvas *canvas);
 
@@ -76,7 +76,7 @@ enum pp_status pp_canvas_next_sheet(struct pp_canvas *canvas, struct pp_error *e
 
 /* Adds an entry to the outline of the PDF, with y_mm on this sheet as its target. Does
  * nothing in other formats. level: 1 for the first entry, then at most one more than
- * the level of the previous entry. */
+ * the level of the previous entry; entries above level 3 are ignored. */
 void pp_canvas_add_outline(struct pp_canvas *canvas, int level, const char *title,
                            double y_mm);
 

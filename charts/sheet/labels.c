@@ -114,7 +114,8 @@ static double clearance(const struct pp_labels *labels, const double a[2],
     return nearest;
 }
 
-/* Point of a box nearest to a given point. */
+/* Point of a box nearest to a given point. In y, only the middle 70 % of the box, with
+ * the letters, is considered. */
 static void nearest_in_box(struct pp_box box, const double from[2], double to[2])
 {
     to[0] = fmin(fmax(from[0], box.x), box.x + box.width);

@@ -52,7 +52,7 @@ bool pp_labels_covers_lines_only(const struct pp_labels *labels, struct pp_box b
 
 /* Finds a position for a box next to one of the owner's places, where places of other
  * owners are farther away. *anchor is set to the end of a leader. Returns false if
- * there is none. */
+ * there is no such position. */
 bool pp_labels_find(const struct pp_labels *labels, const struct pp_style *style,
                     double width, double height, int owner, struct pp_box *box,
                     double anchor[2]);

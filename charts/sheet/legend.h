@@ -26,7 +26,8 @@ struct pp_key {
 };
 
 /* Draws the keys one below the other, from the upper left corner x, y, at most `width`
- * wide; longer words are cut and end in "...". Returns the box of the legend. */
+ * wide; words longer than two lines are cut and end in "...". Returns the box of the
+ * legend. */
 struct pp_box pp_legend_draw(cairo_t *cr, const struct pp_style *style,
                              const struct pp_key *keys, int count, double x, double y,
                              double width);
@@ -36,8 +37,7 @@ struct pp_box pp_legend_measure(cairo_t *cr, const struct pp_style *style,
                                 const struct pp_key *keys, int count, double x,
                                 double y, double width);
 
-/* Draws a marker with an error bar of one standard error in each direction; also drawn
- * as a key. */
+/* Draws a marker at x, y with an error bar from y_low to y_high, as also in a key. */
 void pp_legend_bar(cairo_t *cr, const struct pp_style *style, enum pp_marker marker,
                    double x, double y, double y_low, double y_high);
 

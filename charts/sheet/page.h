@@ -11,7 +11,7 @@
 struct pp_page {
     const char *title;    /* name of the room; may be long; NULL: no title line */
     const char *subtitle; /* content of the chart, and the sky */
-    const char *foot;     /* notes, one paragraph; NULL or "": none */
+    const char *foot;     /* notes, which may have several lines; NULL or "": none */
 };
 
 /* Draws title and notes. Returns the free box between them. */
@@ -28,12 +28,12 @@ void pp_page_say(char *text, size_t room, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
 /* Writes the common name of the sky: "CIE overcast sky", "ISO 15469 sky of type 12, sun
- * 30° high at 180°". */
+ * 30° high at bearing 180°". */
 void pp_page_sky(char *text, size_t room, const struct pp_world *world,
                  const struct pp_outside_light *light);
 
-/* Writes the common name of a sky without a room. north_rad: bearing of the plan's +y
- * axis. */
+/* Like pp_page_sky, for a sky that does not belong to a room. north_rad: bearing of the
+ * +y axis. */
 void pp_page_sky_words(char *text, size_t room, const struct pp_sky *sky,
                        double north_rad);
 

@@ -1,10 +1,11 @@
 /* style.h - appearance of charts: line weights, tints, dashes, markers, text sizes.
  *
  * Charts can be printed in black and white and photocopied. Lines differ by dash and
- * marker, never by tint alone. No line is thinner than 0.1 mm, and no visible tint is
- * lighter than 12 % black. All sizes are millimetres on paper, in proportion to the
- * square root of the sheet's width. An A2 poster and an A5 page are thus each legible
- * at their usual distance.
+ * marker, never by tint alone. On A4 no line is thinner than 0.1 mm. Greys that
+ * distinguish areas are not lighter than 12 % black. All sizes are millimetres on
+ * paper, in proportion to the square root of the sheet's shorter side (except for the
+ * margin of A5). An A2 poster and an A5 page are thus each legible at their usual
+ * distance.
  */
 #ifndef PP_CHARTS_SHEET_STYLE_H
 #define PP_CHARTS_SHEET_STYLE_H
@@ -76,8 +77,8 @@ void pp_style_marker(cairo_t *cr, const struct pp_style *style, enum pp_marker m
 void pp_style_arrow(cairo_t *cr, const struct pp_style *style, const double from[2],
                     const double to[2], double head_mm, double half_mm);
 
-/* Writes a fraction in per cent, with at most three significant digits, depending on
- * its size: "0.0012 %", "0.35 %", "2.1 %", "48 %". The space is non-breaking. */
+/* Writes a fraction in per cent, to two significant digits, or to whole per cent:
+ * "0.0012 %", "0.35 %", "2.1 %", "48 %". The space is non-breaking. */
 void pp_style_percent(char *text, size_t room, double fraction);
 
 /* Writes a level in per cent, to four digits and as short as possible: "0.5", "2",

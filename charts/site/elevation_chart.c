@@ -66,8 +66,8 @@ static void trace_region(cairo_t *cr, const struct pp_room_plan *frame,
     }
 }
 
-/* Fills the bands in order of decreasing sky component. Each band covers part of the bands
- * drawn before. */
+/* Fills the bands in order of decreasing sky component. Each band covers part of the
+ * bands drawn before. */
 static void fill_wall(struct elevation_drawing *drawing,
                       const struct pp_room_plan *frame,
                       const struct pp_elevation_wall *wall)
@@ -135,7 +135,8 @@ static struct pp_box window_box(const struct pp_room_plan *frame,
                            pp_plan_frame_y(frame, window->from.z) - top};
 }
 
-/* Keeps the place of a label. False if another label covers it, or there are too many. */
+/* Registers the place of a label. Returns false if it would overlap another label, or
+ * if there are too many labels. */
 static bool reserve_label(struct elevation_drawing *drawing,
                           const struct pp_lettering *set, double x, double y,
                           const char *words)
@@ -164,8 +165,8 @@ static void say_on_white(struct elevation_drawing *drawing,
         pp_lettering_draw_on_white(drawing->cr, &drawing->style, &set, x, y, words);
 }
 
-/* Writes name, former and present component in the window, as far as there is space. A
- * name that does not fit is written above the window. */
+/* Writes name, existing and proposed component in the window, as far as there is space.
+ * A name that does not fit is written above the window. */
 static void say_component(struct elevation_drawing *drawing,
                           const struct pp_site_window *window, struct pp_box box)
 {

@@ -53,9 +53,9 @@ static struct pp_bounds2 site_extent(const struct pp_site_sheet *sheet)
     return box;
 }
 
-/* Denominator of the smallest scale step that is at least `least`. Besides the usual
- * scales it may be 1:300, 1:400, 1:600 ... (as on triangular scale rulers), which may
- * fill the sheet better. */
+/* Smallest denominator of a scale that is at least `least`. Besides the usual scales it
+ * may be 1:300, 1:400, 1:600 ... (as on triangular scale rulers), which may fill the
+ * sheet better. */
 static double site_scale(double least)
 {
     static const double more[] = {3.0, 4.0, 6.0};
@@ -313,7 +313,7 @@ static bool is_under_edge(const struct pp_site_sheet *sheet,
                           const struct pp_site_shape *side)
 {
     if (side->is_level || side->when != PP_SITE_GONE || side->ends)
-        return false; /* or a part of a mesh, whose lines are drawn once */
+        return false; /* ends: a part of a mesh, whose lines are drawn only once */
     for (int i = 0; i < sheet->shape_count; i++) {
         const struct pp_site_shape *top = &sheet->shapes[i];
         bool is_same = top->is_level && top->when == PP_SITE_GONE && !top->ends;

@@ -76,8 +76,8 @@ static struct pp_box shape_box(const struct pp_site_drawing *drawing,
 
 /* ---- buildings ---- */
 
-/* True if a room has this name. Other rooms may see this room from outside as shapes of
- * the same name. */
+/* True if a room has this name. A room may also be among the surroundings of other
+ * rooms, as shapes with its name. */
 static bool is_room_name(const struct pp_site_sheet *sheet, const char *name)
 {
     for (int i = 0; i < sheet->shape_count; i++)
@@ -107,7 +107,7 @@ struct named_thing {
     double area_m2, middle[2]; /* area and middle of the largest shape */
     int largest;
     double top_m;
-    bool first; /* the shape asked for is the first of its name */
+    bool first; /* the given shape is the first of its name */
 };
 
 static struct named_thing gather_named(const struct pp_site_sheet *sheet, int index)
@@ -180,7 +180,7 @@ static bool same_place(const struct pp_site_shape *a, const struct pp_site_shape
     return hypot(p[0] - q[0], p[1] - q[1]) < 0.5;
 }
 
-/* Writes the names of rooms that lie one above the other in the lowest of them. */
+/* Writes the names of rooms that lie one above the other once, in the first of them. */
 static void name_rooms(struct pp_site_drawing *drawing, int index)
 {
     const struct pp_site_sheet *sheet = drawing->sheet;

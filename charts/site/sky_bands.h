@@ -20,8 +20,8 @@ bool pp_sky_bands_is_dark(int band);
 /* Fills PP_SKY_BANDS keys, beginning with the most sky: "27 % or more", ... */
 void pp_sky_bands_keys(struct pp_key *keys);
 
-/* True if the loss exceeds the guideline of [BR209]: the present value is less than 27
- * % and less than 0.8 of the former value. */
+/* True if the loss exceeds the guideline of [BR209]: the proposed value is under 27 %
+ * and less than 0.8 of the existing value. */
 bool pp_sky_bands_is_lost(const struct pp_site_window *window);
 
 #endif

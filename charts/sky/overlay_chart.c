@@ -1,6 +1,6 @@
-/* overlay_chart.c - draws a circle for the horizon with rings of altitude, dots, cells
- * and sun paths. Lines have white edges, so that they are visible on dark and light
- * photographs. */
+/* overlay_chart.c - draws a circle for the horizon with rings of altitude, crosses,
+ * cells and sun paths. Lines have white edges, so that they are visible on dark and
+ * light photographs. */
 #include "charts/sky/overlay_chart.h"
 
 #include <math.h>
@@ -139,8 +139,8 @@ static void draw_dots(const struct overlay_plot *plot)
     }
 }
 
-/* Draws the lower edge and the left side of a cell. The other edges belong to the ring
- * above and to the next cell. */
+/* Draws the lower edge of a cell and its side at the bearing `from`. The other edges
+ * belong to the ring above and to the next cell. */
 static void draw_cells(const struct overlay_plot *plot)
 {
     const double step = PP_RAD;
@@ -215,7 +215,7 @@ static void draw_hour(const struct overlay_plot *plot, int hour)
     stroke_edged(plot, plot->style.thin);
 }
 
-/* Writes text on white if the place is free. */
+/* Writes text on white unless it would cover other text written by this function. */
 static void put_words(const struct overlay_plot *plot, const double xy[2],
                       const char *words)
 {
@@ -234,7 +234,7 @@ static void put_words(const struct overlay_plot *plot, const double xy[2],
 }
 
 /* Writes the months on their paths, in the afternoon between two hour lines, and the
- * hours outside the path of the longest day. */
+ * hours above the path of the longest day, towards the zenith. */
 static void name_lines(const struct overlay_plot *plot)
 {
     double latitude = plot->overlay->latitude_rad;

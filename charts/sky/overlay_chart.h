@@ -19,7 +19,7 @@ struct pp_overlay {
     double diameter_mm; /* diameter of the horizon circle; 0: the largest possible in
                          * whole centimetres */
     struct pp_sky sky;
-    const struct pp_sky_cell *dots; /* cells with a dot in the middle of each; NULL:
+    const struct pp_sky_cell *dots; /* cells with a cross in the middle of each; NULL:
                                      * none */
     int dot_count;
     const struct pp_sky_cell *cells; /* cells drawn in outline; NULL: none */

@@ -80,8 +80,9 @@ static void draw_parts(const struct moment_drawing *drawing)
 {
     cairo_t *cr = drawing->cr;
     cairo_save(cr);
-    /* Set before the clip, because cairo 1.16 aborts if it fills such a path within
-     * several rectangles that do not end at pixel boundaries. */
+    /* Antialiasing is switched off before the clip is set, because cairo 1.16 aborts if
+     * it fills a path without antialiasing within a clip of several rectangles that do
+     * not end at pixel boundaries. */
     cairo_set_antialias(cr, CAIRO_ANTIALIAS_NONE);
     pp_room_plan_path(cr, &drawing->frame);
     cairo_clip(cr);
