@@ -10,6 +10,7 @@
 #include "charts/room/room_elevation.h"
 #include "charts/room/room_plan.h"
 #include "charts/sheet/page.h"
+#include "charts/site/site_crowns.h"
 #include "charts/site/sky_bands.h"
 
 enum { LABELS_MOST = 1000 };
@@ -365,6 +366,7 @@ static void draw_elevation(struct elevation_drawing *drawing,
     for (int i = 0; i < elevation->window_count; i++)
         draw_window(drawing, &frame, elevation,
                     &drawing->sheet->site.windows[elevation->windows[i]]);
+    pp_site_crowns_draw_front(cr, style, &frame, elevation, &drawing->sheet->site);
     for (int i = 0; i < elevation->window_count; i++) {
         const struct pp_site_window *window =
             &drawing->sheet->site.windows[elevation->windows[i]];
@@ -432,6 +434,11 @@ static void say_elevation_foot(const struct elevation_drawing *drawing, char *fo
         pp_page_say(foot, room,
                     "A heavy frame marks windows with less than 27\u00a0%% and less "
                     "than 0.8 of the existing value.");
+    int crowns = 0;
+    for (int i = 0; i < drawing->sheet->count; i++)
+        crowns += drawing->sheet->elevations[i].crown_count;
+    if (crowns > 0)
+        pp_site_crowns_say(foot, room, false);
     pp_page_say(
         foot, room,
         "With 27\u00a0%% or more, conventional window design usually gives reasonable "
@@ -446,7 +453,7 @@ static void draw_elevation_sheet(struct elevation_drawing *drawing,
     const struct pp_style *style = &drawing->style;
     const struct pp_elevation_sheet *sheet = drawing->sheet;
     struct pp_key keys[PP_SKY_BANDS];
-    char foot[1024] = "";
+    char foot[1280] = "";
     say_elevation_foot(drawing, foot, sizeof foot);
     struct pp_page page = {sheet->site.title,
                            "Vertical sky component on external walls and at their "

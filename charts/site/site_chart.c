@@ -10,6 +10,7 @@
 #include "charts/room/room_plan.h"
 #include "charts/sheet/hatch.h"
 #include "charts/sheet/page.h"
+#include "charts/site/site_crowns.h"
 #include "charts/site/site_names.h"
 #include "charts/site/site_shape.h"
 #include "charts/site/strip_table.h"
@@ -28,6 +29,14 @@ static struct pp_bounds2 room_bounds(const struct pp_site_sheet *sheet)
     return box;
 }
 
+/* Extends the box to a point, but not farther than `reach` from the rooms. */
+static void add_within(struct pp_bounds2 *box, const struct pp_bounds2 *rooms,
+                       double reach, double x, double y)
+{
+    pp_bounds2_add(box, fmin(fmax(x, rooms->low[0] - reach), rooms->high[0] + reach),
+                   fmin(fmax(y, rooms->low[1] - reach), rooms->high[1] + reach));
+}
+
 /* Extent (m) of the rooms and their surroundings. If there is a plot, only of the rooms
  * and the plot. */
 static struct pp_bounds2 site_extent(const struct pp_site_sheet *sheet)
@@ -43,12 +52,15 @@ static struct pp_bounds2 site_extent(const struct pp_site_sheet *sheet)
         1.5 * fmax(rooms.high[0] - rooms.low[0], rooms.high[1] - rooms.low[1]), 30.0);
     struct pp_bounds2 box = rooms;
     for (int i = 0; i < sheet->shape_count; i++)
-        for (int k = 0; k < sheet->shapes[i].count; k++) {
-            double xy[2] = {sheet->shapes[i].corners[k].x,
-                            sheet->shapes[i].corners[k].y};
-            for (int d = 0; d < 2; d++)
-                xy[d] = fmin(fmax(xy[d], rooms.low[d] - reach), rooms.high[d] + reach);
-            pp_bounds2_add(&box, xy[0], xy[1]);
+        for (int k = 0; k < sheet->shapes[i].count; k++)
+            add_within(&box, &rooms, reach, sheet->shapes[i].corners[k].x,
+                       sheet->shapes[i].corners[k].y);
+    for (int i = 0; i < sheet->tree_count; i++)
+        for (int k = 0; k < 2; k++) {
+            const struct pp_site_tree *tree = &sheet->trees[i];
+            double radius = (k ? 0.5 : -0.5) * tree->crown_width_m;
+            add_within(&box, &rooms, reach, tree->foot.x + radius,
+                       tree->foot.y + radius);
         }
     return box;
 }
@@ -346,6 +358,9 @@ static void draw_site(struct pp_site_drawing *drawing)
     for (int i = 0; i < sheet->garden_count; i++)
         draw_garden(drawing, &sheet->gardens[i]);
     draw_cells(drawing);
+    for (int i = 0; i < sheet->tree_count; i++)
+        pp_site_crowns_draw_plan(cr, &drawing->style, &drawing->frame,
+                                 &sheet->trees[i]);
     cairo_restore(cr);
     for (int i = 0; i < sheet->window_count; i++)
         draw_window(drawing, &sheet->windows[i]);
@@ -391,7 +406,7 @@ static void draw_site_sheet(struct pp_site_drawing *drawing, struct pp_canvas *c
     const struct pp_style *style = &drawing->style;
     const struct pp_site_sheet *sheet = drawing->sheet;
     struct pp_key keys[8];
-    char foot[768] = "";
+    char foot[1024] = "";
     pp_page_say(
         foot, sizeof foot,
         "Figures at windows show the vertical sky component in per cent; that of the "
@@ -411,6 +426,11 @@ static void draw_site_sheet(struct pp_site_drawing *drawing, struct pp_canvas *c
         pp_page_say(foot, sizeof foot,
                     "Figures in gardens show the share of the area with two hours of "
                     "sun or more on 21 March; target: half [BR209].");
+    bool has_former = false;
+    for (int i = 0; i < sheet->tree_count; i++)
+        has_former |= sheet->trees[i].when == PP_SITE_GONE;
+    if (sheet->tree_count > 0)
+        pp_site_crowns_say(foot, sizeof foot, has_former);
     if (sheet->has_before)
         pp_page_say(foot, sizeof foot,
                     "A heavy frame marks windows with less than 27\u00a0%% and less "

@@ -284,7 +284,10 @@ void pp_site_names_windows(struct pp_site_drawing *drawing)
             pp_lettering_measure(drawing->cr, style, &set, 0.0, 0.0, words).width;
         x += from * out[0];
         y += from * out[1];
-        pp_lettering_draw(drawing->cr, style, &set, x, y, words);
+        if (sheet->tree_count > 0) /* a crown may be hatched below the name */
+            pp_lettering_draw_on_white(drawing->cr, style, &set, x, y, words);
+        else
+            pp_lettering_draw(drawing->cr, style, &set, x, y, words);
         for (int side = -1; side <= 1; side++) {
             double dx = -0.9 * side * style->scale * out[1],
                    dy = 0.9 * side * style->scale * out[0];

@@ -10,6 +10,7 @@
 #include "model/geometry/clipper.h"
 #include "model/geometry/contour/contour.h"
 #include "studies/site/elevation_layers.h"
+#include "studies/site/site_trees.h"
 
 #define TOLERANCE_M 0.01
 #define INSET_M 0.005 /* inset of points on a wall's edge, m */
@@ -236,18 +237,18 @@ static enum pp_status add_elevation_shades(struct pp_elevation_sheet *sheet,
     return status;
 }
 
-/* Facades are drawn up to this distance (m) outside the walls. */
-static const double facade_beyond_m = 1.5;
+/* Facades and trees are drawn up to this distance (m) outside the walls. */
+static const double beyond_m = 1.5;
 
-/* Extends the elevation so that it shows facades and shading. The extension is limited,
- * since facades may be much larger than the walls. */
+/* Extends the elevation so that it shows facades, shading and trees. The extension is
+ * limited, since facades may be much larger than the walls. */
 static void extend_elevation(struct pp_site_elevation *elevation,
                              const struct pp_bounds2 *boxes, int count)
 {
     double low[2], high[2];
     for (int k = 0; k < 2; k++) {
-        low[k] = elevation->low[k] - (k ? 0.0 : facade_beyond_m);
-        high[k] = elevation->high[k] + facade_beyond_m;
+        low[k] = elevation->low[k] - (k ? 0.0 : beyond_m);
+        high[k] = elevation->high[k] + beyond_m;
     }
     for (int i = 0; i < count; i++)
         for (int k = 0; k < 2; k++) {
@@ -257,7 +258,9 @@ static void extend_elevation(struct pp_site_elevation *elevation,
         }
 }
 
-static void measure_elevation(struct pp_site_elevation *elevation)
+static enum pp_status measure_elevation(struct pp_site_elevation *elevation,
+                                        const struct pp_site_sheet *site,
+                                        struct pp_error *err)
 {
     for (int i = 0; i < elevation->wall_count; i++) {
         struct pp_bounds2 box = pp_region_bounds(&elevation->walls[i].outline);
@@ -268,6 +271,10 @@ static void measure_elevation(struct pp_site_elevation *elevation)
     }
     extend_elevation(elevation, elevation->facades, elevation->facade_count);
     extend_elevation(elevation, elevation->shades, elevation->shade_count);
+    enum pp_status status = pp_site_trees_in_front(elevation, site, err);
+    if (status == PP_OK)
+        extend_elevation(elevation, elevation->crowns, elevation->crown_count);
+    return status;
 }
 
 static enum pp_status make_elevation_sheet(struct pp_elevation_sheet *sheet,
@@ -288,7 +295,7 @@ static enum pp_status make_elevation_sheet(struct pp_elevation_sheet *sheet,
             status = add_elevation_shades(sheet, rooms->list[i].world, i, err);
     }
     for (int i = 0; i < sheet->count && status == PP_OK; i++)
-        measure_elevation(&sheet->elevations[i]);
+        status = measure_elevation(&sheet->elevations[i], &sheet->site, err);
     return status;
 }
 

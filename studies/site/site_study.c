@@ -10,6 +10,7 @@
 #include "studies/criteria/windows/vertical_sky.h"
 #include "studies/site/garden_sun.h"
 #include "studies/site/mesh_shapes.h"
+#include "studies/site/site_trees.h"
 
 /* Former and present corners closer than this (m) are treated as equal. */
 static const double same_m = 0.01;
@@ -364,6 +365,8 @@ static enum pp_status make_site_sheet(struct pp_site_sheet *sheet,
     const struct pp_world *before = rooms->before[0] ? rooms->before[0]->world : NULL;
     if (status == PP_OK && before)
         status = compare_site_before(sheet, before, err);
+    if (status == PP_OK)
+        status = pp_site_trees_add(sheet, first, before, err);
     for (int i = 0; i < rooms->count && status == PP_OK; i++) {
         const struct pp_world *world = rooms->list[i].world;
         status = add_floor(sheet, world, err);

@@ -10,6 +10,19 @@ check "what is lit now and before" quietly chart plan --before existing --room S
     -o "$scratch/lit.pdf"
 check "says the area that assess finds" says "$scratch/lit.pdf" "12.52 m"
 check "and that before" says "$scratch/lit.pdf" "Before: 14.62 m"
+awk '/<site /{ sub("/>", "><tree x=\"1\" y=\"-6\" height=\"7\" crown-width=\"4\" " \
+    "transmittance=\"0.2\" state=\"existing\"/></site>") } 1' "$site" >"$scratch/tree.xml"
+for kind in site elevation; do
+    check "a $kind with a tree" quietly chart $kind "$scratch/tree.xml" --state existing \
+        -o "$scratch/tree-$kind.pdf"
+    check "explains its crown" says "$scratch/tree-$kind.pdf" "Crowns of trees are hatched"
+done
+check "a removed tree" quietly chart site --before existing "$scratch/tree.xml" -o "$scratch/tree.pdf"
+check "is a dashed outline" says "$scratch/tree.pdf" "former trees are dashed outlines"
+check "and in no elevation" quietly chart elevation --before existing "$scratch/tree.xml" \
+    -o "$scratch/no-tree.pdf"
+check "nor explained there" sh -c "! pdftotext '$scratch/no-tree.pdf' - 2>/dev/null |
+    grep -q Crowns"
 run chart site --before existing "$site" -o "$scratch/site.svg"
 check "one dashed outline of the demolished shed, and its key" \
     sh -c "[ \$(grep -c stroke-dasharray '$scratch/site.svg') = 2 ]"

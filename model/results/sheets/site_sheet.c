@@ -21,6 +21,7 @@ void pp_site_sheet_clear(struct pp_site_sheet *sheet)
         free(sheet->gardens[i].corners);
         pp_curve_list_clear(&sheet->gardens[i].dark);
     }
+    free(sheet->trees);
     free(sheet->cells);
     free(sheet->gardens);
     free(sheet->shapes);
@@ -42,6 +43,8 @@ void pp_site_sheet_clear_elevations(struct pp_elevation_sheet *sheet)
         free(elevation->facades);
         free(elevation->shades);
         free(elevation->windows);
+        free(elevation->crowns);
+        free(elevation->crown_trees);
     }
     free(sheet->elevations);
     pp_site_sheet_clear(&sheet->site);

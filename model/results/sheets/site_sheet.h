@@ -59,6 +59,16 @@ struct pp_site_garden {
     const char *name; /* NULL: no name */
 };
 
+/* A tree and its crown. */
+struct pp_site_tree {
+    struct pp_vec3 foot;           /* on the ground */
+    double crown_base_m, height_m; /* above the ground */
+    double crown_width_m;          /* diameter */
+    double transmittance;          /* with leaves */
+    double winter_transmittance;   /* without leaves */
+    enum pp_site_when when;
+};
+
 /* A part of a plot, and the permissible height on it; 0: no building. */
 struct pp_site_cell {
     double corners[4][2];
@@ -78,6 +88,8 @@ struct pp_site_sheet {
     int window_count;
     struct pp_site_garden *gardens;
     int garden_count;
+    struct pp_site_tree *trees;
+    int tree_count;
     struct pp_site_cell *cells; /* cells of the plot that is drawn; NULL: none */
     int cell_count;
     double cells_m3; /* total volume of the cells */
@@ -119,6 +131,10 @@ struct pp_site_elevation {
     int shade_count;
     int *windows; /* indices of windows in `site` */
     int window_count;
+    struct pp_bounds2
+        *crowns; /* of the trees in front of the walls, in u and v; foremost first */
+    int *crown_trees; /* their indices in `site` */
+    int crown_count;
     double low[2], high[2]; /* extent in u and v, including the ground */
 };
 

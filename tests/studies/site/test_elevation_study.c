@@ -323,11 +323,57 @@ static void demolished_and_proposed_blocks_are_distinguished(void **state)
     clear_made(&made);
 }
 
+/* In the south elevation u is x of the building. A crown is drawn if it is before the
+ * wall that it covers: not one behind, 15 m aside, or removed. */
+static void crowns_before_a_wall_are_in_its_elevation(void **state)
+{
+    (void)state;
+    struct made_sheet made;
+    const struct pp_elevation_sheet *sheet = &made.sheet;
+    make(&made,
+         "<building version='1'><site>"
+         "<tree x='3' y='-9' height='7' crown-base='2' crown-width='3' "
+         "transmittance='0.2' winter-transmittance='0.7'/>"
+         "<tree x='6' y='-4' height='3.5' crown-base='1' crown-width='2.4' "
+         "transmittance='0.3' state='proposed'/>"
+         "<tree x='4' y='12' height='9' crown-width='3' transmittance='0.2'/>"
+         "<tree x='20' y='-9' height='9' crown-width='3' transmittance='0.2'/>"
+         "<tree x='4' y='-6' height='9' crown-width='3' transmittance='0.2' "
+         "state='existing'/></site>"
+         "<room x='2' y='1' z='0.4'><plan width='5' depth='5' height='2.7'/>"
+         "<window wall='south' left='1' sill='1' width='1.5' height='1.25'/></room>"
+         "</building>",
+         true);
+    assert_int_equal(sheet->site.tree_count, 5);
+    const struct pp_site_elevation *south = &sheet->elevations[0];
+    assert_int_equal(south->crown_count, 2);
+    const struct pp_site_tree *foremost = &sheet->site.trees[south->crown_trees[0]];
+    assert_near(foremost->foot.y, -9.0, 1e-9);
+    assert_near(foremost->winter_transmittance, 0.7, 1e-12);
+    assert_int_equal(foremost->when, PP_SITE_ALWAYS);
+    assert_near(south->crowns[0].low[0], 1.5, 1e-9);
+    assert_near(south->crowns[0].high[0], 4.5, 1e-9);
+    assert_near(south->crowns[0].low[1], 2.0, 1e-9);
+    assert_near(south->crowns[0].high[1], 7.0, 1e-9);
+    assert_int_equal(sheet->site.trees[south->crown_trees[1]].when, PP_SITE_NEW);
+    assert_near(south->crowns[1].high[0], 7.2, 1e-9);
+    /* The drawing ends at most 1.5 m outside the wall. */
+    assert_near(south->low[0], 1.5, 1e-9);
+    assert_near(south->high[0], 7.2, 1e-9);
+    assert_near(south->high[1], 0.4 + 2.7 + 1.5, 1e-9);
+    int gone = 0;
+    for (int i = 0; i < sheet->site.tree_count; i++)
+        gone += sheet->site.trees[i].when == PP_SITE_GONE;
+    assert_int_equal(gone, 1);
+    clear_made(&made);
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(contours_lie_where_the_house_opposite_leaves_their_component),
         cmocka_unit_test(windows_stand_where_their_rooms_do),
+        cmocka_unit_test(crowns_before_a_wall_are_in_its_elevation),
         cmocka_unit_test(facades_and_balconies_are_in_the_elevation),
         cmocka_unit_test(doors_of_outer_walls_stand_where_they_are),
         cmocka_unit_test(elevations_go_round_from_north),
