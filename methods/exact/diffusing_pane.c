@@ -131,7 +131,8 @@ static void add_tails(double tails[2], const double values[NODES][NODES])
 static enum pp_status light_cell(struct pp_pane_cell *cell,
                                  const struct pp_world *world,
                                  const struct pp_outside_light *light,
-                                 const struct pp_opening *opening, struct pp_error *err)
+                                 const struct pp_opening *opening,
+                                 const struct pp_direct *how, struct pp_error *err)
 {
     struct pp_pane_plane plane = pane_plane(opening);
     double middle[2], half[2], sum = 0.0;
@@ -146,9 +147,8 @@ static enum pp_status light_cell(struct pp_pane_cell *cell,
             at =
                 pp_vec_along(at, middle[1] + half[1] * pp_pane_cell_nodes[k], plane.up);
             struct pp_exterior_light outside;
-            enum pp_status status =
-                pp_exterior_light_within(&outside, world, light, at, plane.toward,
-                                         opening->face, PP_QUADRATURE_PANE, err);
+            enum pp_status status = pp_exterior_light_within(
+                &outside, world, light, at, plane.toward, opening->face, how, err);
             if (status != PP_OK)
                 return status;
             cell->sky[i][k] = outside.sky;
@@ -185,9 +185,10 @@ static enum pp_status divide_pane(struct pp_diffusing_pane *pane,
                                   const struct pp_world *world,
                                   const struct pp_outside_light *light,
                                   const struct pp_opening *opening,
-                                  struct pp_error *err)
+                                  const struct pp_direct *how, struct pp_error *err)
 {
-    enum pp_status status = light_cell(&pane->cells[0], world, light, opening, err);
+    enum pp_status status =
+        light_cell(&pane->cells[0], world, light, opening, how, err);
     double work = NODES * NODES * (double)borders->surfaces * borders->surfaces;
     int most = (int)fmin(CELLS_MOST, 1.0 + WORK_MOST / fmax(2.0 * work, 1.0));
     pane->cell_count = 1;
@@ -200,9 +201,9 @@ static enum pp_status divide_pane(struct pp_diffusing_pane *pane,
         int axis = cell->worse;
         *other = *cell;
         cell->high[axis] = other->low[axis] = cut_of(borders, cell, axis);
-        status = light_cell(cell, world, light, opening, err);
+        status = light_cell(cell, world, light, opening, how, err);
         if (status == PP_OK)
-            status = light_cell(other, world, light, opening, err);
+            status = light_cell(other, world, light, opening, how, err);
     }
     return status;
 }
@@ -210,7 +211,7 @@ static enum pp_status divide_pane(struct pp_diffusing_pane *pane,
 enum pp_status pp_diffusing_pane_init(struct pp_diffusing_pane *pane,
                                       const struct pp_world *world,
                                       const struct pp_outside_light *light,
-                                      const struct pp_opening *opening,
+                                      const struct pp_opening *opening, bool by_table,
                                       struct pp_error *err)
 {
     const struct pp_polygon *outline = &opening->outer;
@@ -222,15 +223,28 @@ enum pp_status pp_diffusing_pane_init(struct pp_diffusing_pane *pane,
     struct pp_pane_cell whole = {.low = {box.low[0], box.low[1]},
                                  .high = {box.high[0], box.high[1]}};
     struct borders borders;
+    struct pp_sky_table *table = NULL;
+    struct pp_projection axes = {.along = opening->along,
+                                 .up = opening->up,
+                                 .toward = pane_plane(opening).toward};
     enum pp_status status = find_borders(&borders, world, opening, err);
     *pane =
         (struct pp_diffusing_pane){malloc(CELLS_MOST * sizeof *pane->cells), 0, 0.0};
     if (status == PP_OK && !pane->cells)
         status = pp_fail_memory(err);
-    if (status == PP_OK) {
-        pane->cells[0] = whole;
-        status = divide_pane(pane, &borders, world, light, opening, err);
+    if (status == PP_OK && by_table && light->sky.kind == PP_SKY_ISO) {
+        struct pp_glass none = pp_glass_none();
+        status =
+            pp_sky_table_create(&table, &light->sky, &none, &axes, axes.toward, err);
     }
+    if (status == PP_OK) {
+        struct pp_pane_light tables = {.sky = table, .sky_axes = &axes};
+        struct pp_direct how = {.unglazed_error = PP_QUADRATURE_PANE,
+                                .tables = table ? &tables : NULL};
+        pane->cells[0] = whole;
+        status = divide_pane(pane, &borders, world, light, opening, &how, err);
+    }
+    pp_sky_table_destroy(table);
     free(borders.at[0]);
     free(borders.at[1]);
     if (status != PP_OK)

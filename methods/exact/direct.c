@@ -236,7 +236,7 @@ static struct pp_pane_part pane_part_of(const struct task *task, struct pp_vec3 
         .half_spaces = limits,
         .half_space_count = join_half_spaces(limits, task->patch, sides, count),
         .glazed = !is_unglazed(task),
-        .rough = task->sum->rough};
+        .rough = task->sum->rough || task->sum->unglazed_error >= PP_QUADRATURE_PANE};
 }
 
 static enum pp_status by_quadrature(double *value, const struct task *task,

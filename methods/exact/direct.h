@@ -32,7 +32,9 @@ struct pp_direct {
     /* Set by the caller: */
     bool rough; /* true: faster, with errors up to 1e-6 of the open sky by tables, about
                  * PP_QUADRATURE_ROUGH by quadrature */
-    double unglazed_error; /* error bound without glass; 0: PP_QUADRATURE_UNGLAZED */
+    double unglazed_error; /* error bound without glass; 0: PP_QUADRATURE_UNGLAZED;
+                            * from PP_QUADRATURE_PANE on, tables may have errors up to
+                            * 1e-6 of the open sky */
     const struct pp_pane_light *tables; /* tables of the opening; not owned; NULL:
                                          * none */
     double error; /* error of both components, estimated by the quadrature; 0 for

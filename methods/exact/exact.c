@@ -20,7 +20,8 @@
  * and skylines without a distance), otherwise to 1e-6 by polynomials over parts of the
  * pane (diffusing_pane.h lists cases with larger errors). The illuminance of such panes
  * is calculated once for a room if the method is prepared, else again for each
- * receiver; the numbers are the same.
+ * receiver. The numbers are the same, except under skies of ISO 15469: a prepared method
+ * has a table of the sky, with errors up to 1e-6 of the open sky.
  */
 #include "methods/method.h"
 #include "methods/refusals.h"
@@ -69,8 +70,8 @@ static enum pp_status prepare_with(void **of_exact, const struct pp_world *world
     for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
         const struct pp_opening *opening = &world->openings[i];
         if (opening->glass.diffusing && !pp_exterior_is_uniform(world, opening))
-            status =
-                pp_diffusing_pane_init(&tools->panes[i], world, light, opening, err);
+            status = pp_diffusing_pane_init(&tools->panes[i], world, light, opening,
+                                            true, err);
     }
     if (status != PP_OK)
         destroy_exact_tools(tools);
@@ -164,7 +165,8 @@ static enum pp_status from_diffusing_pane(struct pp_direct *sum,
                 from_even_pane(sum, &visible, world, light, opening, receiver, err);
         } else {
             if (!prepared)
-                status = pp_diffusing_pane_init(&own, world, light, opening, err);
+                status =
+                    pp_diffusing_pane_init(&own, world, light, opening, false, err);
             if (status == PP_OK)
                 status = pp_diffusing_pane_add(sum, prepared ? prepared : &own,
                                                &visible, opening, receiver, err);

@@ -4,7 +4,6 @@
 
 #include <stdlib.h>
 
-#include "methods/exact/direct.h"
 #include "methods/exact/solid_angle.h"
 #include "methods/view/occluders.h"
 #include "methods/view/visible.h"
@@ -49,7 +48,7 @@ enum pp_status pp_exterior_light_within(struct pp_exterior_light *outside,
                                         const struct pp_world *world,
                                         const struct pp_outside_light *light,
                                         struct pp_vec3 position, struct pp_vec3 normal,
-                                        int face, double relative_error,
+                                        int face, const struct pp_direct *how,
                                         struct pp_error *err)
 {
     bool hidden = has_surface_in_front(world, position, normal, face);
@@ -68,7 +67,8 @@ enum pp_status pp_exterior_light_within(struct pp_exterior_light *outside,
     struct pp_vec3 a = frame.x, b = frame.y;
     struct pp_vec3 toward[5] = {normal, a, pp_vec_scale(a, -1.0), b,
                                 pp_vec_scale(b, -1.0)};
-    struct pp_direct sum = {.unglazed_error = relative_error};
+    struct pp_direct sum = {.unglazed_error = how->unglazed_error,
+                            .tables = how->tables};
     struct pp_glass none = pp_glass_none();
     for (int i = 0; i < 5; i++) {
         struct pp_vec3 up = i == 0 ? b : normal;
@@ -96,8 +96,9 @@ enum pp_status pp_exterior_light_on_plane(struct pp_exterior_light *outside,
                                           struct pp_vec3 normal, int face,
                                           struct pp_error *err)
 {
-    return pp_exterior_light_within(outside, world, light, position, normal, face,
-                                    PP_QUADRATURE_UNGLAZED, err);
+    const struct pp_direct how = {.unglazed_error = PP_QUADRATURE_UNGLAZED};
+    return pp_exterior_light_within(outside, world, light, position, normal, face, &how,
+                                    err);
 }
 
 struct pp_vec3 pp_exterior_opening_centroid(const struct pp_opening *opening)

@@ -6,6 +6,7 @@
 
 #include <stdbool.h>
 
+#include "methods/exact/direct.h"
 #include "model/light/outside_light.h"
 #include "model/room/world.h"
 
@@ -42,12 +43,12 @@ enum pp_status pp_exterior_light_on_plane(struct pp_exterior_light *outside,
                                           struct pp_vec3 normal, int face,
                                           struct pp_error *err);
 
-/* As pp_exterior_light_on_plane, with this error bound of the quadrature (quadrature.h). */
+/* As pp_exterior_light_on_plane, with the error bound and the tables of `how`. */
 enum pp_status pp_exterior_light_within(struct pp_exterior_light *outside,
                                         const struct pp_world *world,
                                         const struct pp_outside_light *light,
                                         struct pp_vec3 position, struct pp_vec3 normal,
-                                        int face, double relative_error,
+                                        int face, const struct pp_direct *how,
                                         struct pp_error *err);
 
 /* True if the illuminance is the same all over an opening's outside: in front of it are

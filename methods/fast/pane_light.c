@@ -25,6 +25,7 @@ enum { CORNERS_ON_STACK = 64 };
 struct ring_light {
     const struct pp_axial_light *axial; /* NULL: the table of the sky is used */
     const struct pp_sky_table *sky;
+    const struct pp_projection *axes; /* axes of that table; NULL: those of the view */
     double longest, bend;
 };
 
@@ -41,9 +42,10 @@ static enum pp_status sum_rings(double *sum, const struct ring_light *light,
                                 const struct pp_pane_part *part, struct pp_error *err)
 {
     const struct pp_projection *view = &part->visible->view;
+    const struct pp_projection *axes = light->axes ? light->axes : view;
     struct pp_vec3 limits[PP_HALF_SPACES_MOST];
     for (int i = 0; i < part->half_space_count; i++)
-        limits[i] = pp_projection_direction(view, part->half_spaces[i]);
+        limits[i] = pp_projection_direction(axes, part->half_spaces[i]);
     *sum = 0.0;
     for (int r = 0; r < part->patch->region.count; r++) {
         const struct pp_ring *ring = &part->patch->region.rings[r];
@@ -53,8 +55,12 @@ static enum pp_status sum_rings(double *sum, const struct ring_light *light,
             if (!corners)
                 return pp_fail_memory(err);
         }
-        for (int i = 0; i < ring->count; i++)
+        for (int i = 0; i < ring->count; i++) {
             corners[i] = pp_vec(ring->xy[i][0], ring->xy[i][1], view->distance_m);
+            if (axes != view)
+                corners[i] = pp_projection_direction(
+                    axes, pp_projection_to_room(view, corners[i]));
+        }
         *sum += ring_sum(light, corners, ring->count, limits, part->half_space_count);
         if (corners != stack)
             free(corners);
@@ -121,7 +127,7 @@ enum pp_status pp_pane_light_sky(double *value, const struct pp_pane_light *ligh
                              err);
     if (light->gradation && !part->glazed)
         return of_gradation(value, light, sky, part, err);
-    struct ring_light sum = {.sky = light->sky};
+    struct ring_light sum = {.sky = light->sky, .axes = light->sky_axes};
     return sum_rings(value, &sum, part, err);
 }
 

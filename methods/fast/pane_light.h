@@ -17,6 +17,9 @@ struct pp_pane_light {
                                      * that does not depend on the sun; NULL: another
                                      * sky */
     const struct pp_sky_table *sky; /* NULL: not created, or not needed */
+    const struct pp_projection
+        *sky_axes; /* axes of the table of the sky; NULL: those of
+                                           * each view */
 };
 
 /* Part of a view: a patch within half-spaces (room's axes), for a receiver whose normal

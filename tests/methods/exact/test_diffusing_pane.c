@@ -14,6 +14,13 @@
     "transmittance='0.6' diffusing='yes'><fin depth='0.4' side='left' gap='0'/>"       \
     "</window><skyline wall='south' angle='50' distance='1.3' reflectance='0.3'/>"
 
+/* A wall 13 m away. */
+#define WALL_ROOM                                                                      \
+    "<room version='1'><plan width='3.1' depth='4.7' height='2.7'/>"                   \
+    "<window wall='south' left='0.35' sill='0.9' width='0.4' height='0.3' reveal='0' " \
+    "transmittance='0.6' diffusing='yes'/>"                                            \
+    "<skyline wall='south' angle='30' distance='13' reflectance='0.3'/>"
+
 static struct pp_part part_at(const struct pp_world *world,
                               const struct pp_outside_light *light,
                               struct pp_receiver receiver, bool rough)
@@ -86,10 +93,49 @@ static void every_square_of_an_uneven_pane_counts_by_its_own_light(void **state)
     pp_world_destroy(world);
 }
 
+/* The sky component of the pane at a receiver; plain: by quadrature of the sky. */
+static struct pp_part part_by(const struct pp_world *world,
+                              const struct pp_outside_light *light, bool plain)
+{
+    const struct pp_receiver receiver = {.position = {1.2, 1.6, 0.85},
+                                         .normal = {0.0, 0.0, 1.0}};
+    struct pp_part part = {0};
+    if (!plain)
+        return part_at(world, light, receiver, false);
+    assert_int_equal(pp_method_exact.evaluate(world, light, world->openings, &receiver,
+                                              NULL, &part, NULL),
+                     PP_OK);
+    return part;
+}
+
+/* Low suns in front of the pane, behind it and beside it, and a sky without sun. The
+ * table of the sky has errors of 1e-6 of the open sky. */
+static void a_table_of_the_sky_lights_the_pane_as_quadrature_does(void **state)
+{
+    (void)state;
+    static const char *const skies[] = {
+        "<sky type='iso-15' sun-altitude='10' sun-bearing='170'/>",
+        "<sky type='iso-12' sun-altitude='40' sun-bearing='100'/>",
+        "<sky type='iso-12' sun-altitude='25' sun-bearing='350'/>",
+        "<sky type='iso-3'/>"};
+    for (size_t i = 0; i < sizeof skies / sizeof *skies; i++) {
+        char text[1000];
+        snprintf(text, sizeof text, WALL_ROOM "%s</room>", skies[i]);
+        struct pp_outside_light light;
+        struct pp_world *world = pp_test_lit_world(&light, text);
+        struct pp_part table = part_by(world, &light, false);
+        struct pp_part plain = part_by(world, &light, true);
+        assert_relative(table.sky, plain.sky, 2e-6);
+        assert_relative(table.external, plain.external, 2e-6);
+        pp_world_destroy(world);
+    }
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_square_of_an_uneven_pane_counts_by_its_own_light),
+        cmocka_unit_test(a_table_of_the_sky_lights_the_pane_as_quadrature_does),
     };
     add_tests(tests, NULL, NULL);
 }
