@@ -12,6 +12,8 @@
 #include "reports/gains_report.h"
 #include "reports/parts/format.h"
 #include "model/base/text.h"
+#include "studies/criteria/trees_left_out.h"
+#include "studies/criteria/windows/opening_words.h"
 
 enum { CELL = PP_FINDING_CELL, COLUMNS = 6, INDENT = 4, GAP = 2, NOTE_INDENT = 6 };
 enum { WHAT, FIGURE, LUX, WANTED, OVER, VERDICT };
@@ -261,6 +263,27 @@ static void print_bands(const struct pp_assessment *assessment,
     pp_print_wrapped(text, 2, 2, layout->width, out);
 }
 
+/* Warns that trees in front of the windows are left out of some criteria. */
+static void print_trees(const struct pp_assessment *assessment,
+                        const struct layout *layout, FILE *out)
+{
+    struct pp_trees_left_out trees;
+    char text[2048] = "Trees are left out of: ", window[PP_OPENING_WORDS];
+    if (!pp_trees_left_out_find(&trees, assessment))
+        return;
+    for (int i = 0; i < trees.count; i++)
+        pp_text_append(text, sizeof text, "%s%s", i > 0 ? "; " : "",
+                       trees.criteria[i]->title);
+    pp_opening_words(window, assessment->room->world, trees.opening);
+    pp_text_append(text, sizeof text,
+                   ". The tree in line %d rises to %.0f%s above the horizon, seen from "
+                   "the window %s; simulations include it.",
+                   trees.line, trees.altitude_rad / PP_RAD,
+                   layout->utf8 ? "\xc2\xb0" : " degrees", window);
+    fputs("\n  ", out);
+    pp_print_wrapped(text, 2, 2, layout->width, out);
+}
+
 static void print_assessed_room(const struct pp_assessment *assessment,
                                 const struct pp_study_options *options,
                                 struct layout layout, FILE *out)
@@ -286,6 +309,7 @@ static void print_assessed_room(const struct pp_assessment *assessment,
         struct pp_reliability reliability = pp_reliability_of(&assessment->report);
         pp_print_reliability(&reliability, layout.width, out);
     }
+    print_trees(assessment, &layout, out);
     print_sum(assessment, out);
     if (assessment->has_gains)
         pp_gains_report(&assessment->gains, layout.width, out);

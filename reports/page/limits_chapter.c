@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "model/light/rough/rough_finishes.h"
+#include "studies/criteria/trees_left_out.h"
 
 /* True if any room was assessed by the criterion of that name. */
 static bool is_assessed(const struct pp_assessments *all, const char *criterion)
@@ -34,6 +35,16 @@ static bool has_rough_materials(const struct pp_assessments *all)
     return false;
 }
 
+/* True if trees in front of the windows of any room are left out of criteria. */
+static bool leaves_trees_out(const struct pp_assessments *all)
+{
+    struct pp_trees_left_out trees;
+    for (int i = 0; i < all->count; i++)
+        if (pp_trees_left_out_find(&trees, &all->list[i]))
+            return true;
+    return false;
+}
+
 /* Finds the lowest and highest reflectance of the ground outside. */
 static void find_ground(double range[2], const struct pp_assessments *all)
 {
@@ -58,6 +69,13 @@ static void say_geometry(struct pp_document *document, const struct pp_assessmen
         "behind the file. Trees, furniture and other objects count only if they are in "
         "the file.",
         all->count ? all->list[0].room->file : "");
+    if (leaves_trees_out(all))
+        pp_document_paragraph(
+            document, PP_TONE_PLAIN,
+            "Crowns of trees are part of simulations, but are left out of the vertical "
+            "sky component, the 25 degree rule, the no-sky line, sunlight, view out "
+            "and "
+            "rights of light.");
     if (ground[0] == ground[1])
         pp_document_paragraph(document, PP_TONE_PLAIN,
                               "The ground reflectance is %.3g.", ground[0]);

@@ -131,6 +131,7 @@ const struct pp_criterion pp_criterion_no_sky_line = {
                "former area with a view of the sky remains",
     .bears_on_use = pp_bearing_needs_daylight,
     .of_states = true,
+    .without_trees = true,
     .evaluate = evaluate_line,
 };
 
@@ -142,5 +143,6 @@ const struct pp_criterion pp_criterion_sky_line = {
                  "the 2014 version",
     .summary = "at least 80 % of the working plane has a view of the sky",
     .bears_on_use = pp_bearing_needs_daylight,
+    .without_trees = true,
     .evaluate = evaluate_rule,
 };

@@ -120,5 +120,6 @@ const struct pp_criterion pp_criterion_rights_of_light = {
     .source = "WW23",
     .summary = "sky factor of 0.2 % or more at 0.85 m over half of the room",
     .countries = "GB IE",
+    .without_trees = true,
     .evaluate = assess_rights_of_light,
 };

@@ -62,6 +62,25 @@ shelf_hides() {
         [ "$(sky_components "$scratch/low.xml")" = "10.052985 1.214537 " ]
 }
 
+left_out() {
+    run assess --by-hand "$scratch/tree.xml"
+    tr '\n' ' ' <"$scratch/out" | tr -s ' ' | grep -q \
+        'Trees are left out of: Vertical sky component;.*The tree in line 1 rises to 82.*W1, south' ||
+        told
+}
+left_out_json() {
+    run assess --by-hand -c vsc,nsl,average -f json "$scratch/tree.xml"
+    tr -d ' \n' <"$scratch/out" | grep -q \
+        '"trees_left_out":{"criteria":\["vertical-sky","no-sky-line"\],"line":1,"altitude":82.3' || told
+}
+not_left_out() {
+    run assess --by-hand -c average "$scratch/tree.xml"
+    [ $status -eq 0 ] && ! grep -q 'left out' "$scratch/out" || told
+}
+
+check "assess names the criteria that leave trees out" left_out
+check "in JSON, too" left_out_json
+check "no criterion that takes account of trees" not_left_out
 check "four engines agree on the light through a crown" engines_agree
 check "hand methods state why they give no value" hand_methods_refuse
 check "radiosity refuses trees" refuses 1 "the site has trees" \

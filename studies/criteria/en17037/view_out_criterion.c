@@ -178,5 +178,6 @@ const struct pp_criterion pp_criterion_view_out = {
     .source = "EN17037",
     .summary = "sight angle, distance and layers of the view from 75 % of the plane",
     .bears_on_use = pp_bearing_needs_daylight,
+    .without_trees = true,
     .evaluate = assess_view,
 };

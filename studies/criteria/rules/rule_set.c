@@ -199,6 +199,7 @@ static void add_rule(struct pp_rule_set *set, const struct pp_rule *rule)
     set->criterion.of_factors |= is_quantity(rule, &pp_rule_mean_factor)
                                  || is_quantity(rule, &pp_rule_share_factor)
                                  || is_quantity(rule, &pp_rule_uniformity);
+    set->criterion.without_trees |= is_quantity(rule, &pp_rule_sun_hours);
     if (is_quantity(rule, &pp_rule_point_factor))
         set->point = rule->point;
     if (pp_rule_table_has(rule->sky))

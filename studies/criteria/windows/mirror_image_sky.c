@@ -97,5 +97,6 @@ const struct pp_criterion pp_criterion_mirror_image = {
                "(--mirror-image)",
     .needs_mirror_image = true,
     .bears_on_use = pp_bearing_needs_daylight,
+    .without_trees = true,
     .evaluate = assess_mirror_image_sky,
 };

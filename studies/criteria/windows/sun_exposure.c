@@ -167,5 +167,6 @@ const struct pp_criterion pp_criterion_sun_exposure = {
     .source = "EN17037",
     .summary = "at least 1.5, 3, 4 h of sun on 21 March on the inside of a window",
     .bears_on_use = pp_bearing_is_dwelling,
+    .without_trees = true,
     .evaluate = assess_sun_exposure,
 };

@@ -166,5 +166,6 @@ const struct pp_criterion pp_criterion_sunlight = {
                "face south",
     .bears_on_use = pp_bearing_is_lived_in,
     .of_states = true,
+    .without_trees = true,
     .evaluate = assess_sunlight,
 };

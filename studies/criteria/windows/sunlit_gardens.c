@@ -104,5 +104,6 @@ const struct pp_criterion pp_criterion_gardens = {
     .summary = "at least two hours of sun on 21 March on half of each garden",
     .of_gardens = true,
     .of_states = true,
+    .without_trees = true,
     .evaluate = assess_sunlit_gardens,
 };

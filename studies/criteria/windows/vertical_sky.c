@@ -263,6 +263,7 @@ const struct pp_criterion pp_criterion_vertical_sky = {
     .summary = "at least 27 % at the centre of the outer face of each window",
     .bears_on_use = pp_bearing_needs_daylight,
     .of_states = true,
+    .without_trees = true,
     .evaluate = evaluate_component,
 };
 
@@ -274,6 +275,7 @@ const struct pp_criterion pp_criterion_former_sky = {
     .needs_before = true,
     .bears_on_use = pp_bearing_needs_daylight,
     .of_states = true,
+    .without_trees = true,
     .evaluate = evaluate_loss,
 };
 
@@ -284,5 +286,6 @@ const struct pp_criterion pp_criterion_obstruction = {
     .summary = "no obstruction above 25 degrees in section, seen from the centre of "
                "each window",
     .bears_on_use = pp_bearing_needs_daylight,
+    .without_trees = true,
     .evaluate = evaluate_angle,
 };
