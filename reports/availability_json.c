@@ -61,8 +61,8 @@ static bool add_availability_value(struct json_object *object, double value,
 }
 
 /* Adds the results of one place by one method: the daylight factor and, for each
- * illuminance, the daylight factor required and the fraction of hours that reach the
- * illuminance. row: first of sheet->illuminance_count rows. */
+ * illuminance, the external illuminance required and the fraction of hours that reach
+ * it. row: first of sheet->illuminance_count rows. */
 static bool add_method(struct json_object *object,
                        const struct pp_availability_sheet *sheet,
                        const struct pp_availability_row *row)

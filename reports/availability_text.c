@@ -32,7 +32,8 @@ static void put_share(char cell[PP_CELL_BYTES], double share)
                  per_cent);
 }
 
-/* Writes an illuminance to three significant figures: "14300". */
+/* Writes an illuminance to three significant figures: "14300". Below 100 lx, writes it
+ * to 1 lx. */
 static void put_lux(char cell[PP_CELL_BYTES], double lx)
 {
     double unit = lx > 0.0 ? pow(10.0, fmax(0.0, floor(log10(lx)) - 2.0)) : 1.0;
@@ -183,7 +184,7 @@ static bool add_columns(struct pp_table *table,
     return good;
 }
 
-/* Prints one table per method. */
+/* Prints the table of one method. */
 static bool print_method(const struct pp_availability_sheet *sheet, const char *method,
                          int width, bool utf8, FILE *out)
 {

@@ -76,7 +76,7 @@ static struct pp_band_ends band_of(const struct pp_column *column, int index)
 }
 
 /* Column to which an engine's daylight factors are compared. NULL: `column` is the
- * reference, or does not belong to an engine. */
+ * reference, or has no daylight factors of an engine. */
 static const struct pp_column *truth_for(const struct pp_report *report,
                                          const struct pp_column *column)
 {
@@ -88,7 +88,7 @@ static const struct pp_column *truth_for(const struct pp_report *report,
 }
 
 /* Adds "sc" ... "df" with the value of each method at a place. A component without any
- * value is omitted. */
+ * column is omitted. */
 static bool add_readings(struct json_object *object, const struct pp_report *report,
                          int index, double external_lux)
 {

@@ -94,8 +94,8 @@ void pp_df_steps_list(const struct pp_steps *steps, const struct pp_world *world
     }
 }
 
-/* Prints the corrections that a method's figures include. For a pair, prints the
- * corrections of both methods. */
+/* Prints the corrections that a method's figures include. Prints nothing for a pair of
+ * methods. */
 static void print_contents(const char *name, int width, FILE *out)
 {
     const struct pp_method *method = pp_method_find(name);

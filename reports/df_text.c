@@ -85,8 +85,8 @@ static void put_apart(char cell[PP_CELL_BYTES], const struct pp_reading *reading
         snprintf(cell, PP_CELL_BYTES, "-");
 }
 
-/* Writes an illuminance in lux, with three significant digits or as a whole number; a
- * dash if there is no value. */
+/* Writes an illuminance in lux: whole from 100 lx, with one decimal from 10 lx, else
+ * with two, and "0" below 0.05 lx; a dash if there is no value. */
 static void put_lux(char cell[PP_CELL_BYTES], double lux)
 {
     if (!isfinite(lux)) {

@@ -61,8 +61,8 @@ double pp_size_report_length(struct pp_opening_place place, enum pp_size_change 
     return place.width_m;
 }
 
-/* Appends the new size: "a width of 1.238 m instead of 2.6 m", "widths 0.61 times as
- * large" or "3 windows instead of 2". */
+/* Appends the new size: "a width of 1.238 m instead of 2.6 m", "a width of 1.2 m
+ * (window, the others as below)" or "3 windows instead of 2". */
 static void append_size(char text[TEXT_BYTES], const struct pp_size_room_result *result,
                         enum pp_size_change change)
 {

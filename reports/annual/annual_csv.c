@@ -1,4 +1,4 @@
-/* annual_csv.c - writes one line for each point, and one for the average. */
+/* annual_csv.c - see annual_csv.h. */
 #include "reports/annual/annual_csv.h"
 
 #include <math.h>

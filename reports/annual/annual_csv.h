@@ -1,5 +1,6 @@
-/* annual_csv.h - annual results of rooms as CSV: one line for each point and one for
- * the average, with two columns for each figure: value and standard error. */
+/* annual_csv.h - annual results of rooms as CSV: one line for each point, one for the
+ * average, and one for each control of the electric light. Most figures have two
+ * columns: value and standard error. */
 #ifndef PP_REPORTS_ANNUAL_ANNUAL_CSV_H
 #define PP_REPORTS_ANNUAL_ANNUAL_CSV_H
 

@@ -117,7 +117,8 @@ static double rounded_lx(double lx)
     return floor(10.0 * lx + 0.5) / 10.0;
 }
 
-/* Values of all hours with a decimal: of a point, or the mean of all points for -1. */
+/* Fills in the illuminances (lx, to one decimal) of all hours at a point. -1: the mean
+ * of all points. */
 static void fill_lx(double *values, const struct pp_annual_sheet *sheet, int point)
 {
     int first = point < 0 ? 0 : point;

@@ -23,7 +23,7 @@ enum pp_annual_hourly_format {
     PP_ANNUAL_HOURLY_JSON,
 };
 
-/* The JSON output has the hours of each point only if there are at most so many. */
+/* Greatest number of points for which the JSON output has the hours of each point. */
 enum { PP_ANNUAL_HOURLY_JSON_POINTS = 40 };
 
 /* Format for the extension of the file name, or for "json". */

@@ -13,8 +13,8 @@
  * is not given. */
 double pp_lighting_report_kwh(const struct pp_annual_sheet *sheet, int k);
 
-/* True if any record is shorter than an hour. Hourly means then differ from the values
- * of the records. */
+/* True if the records are shorter than an hour. Hourly means then differ from the
+ * values of the records. */
 bool pp_lighting_report_short_records(const struct pp_annual_sheet *sheet);
 
 /* Describes the settings and power of control k. Returns `text`. */
@@ -31,8 +31,8 @@ const char *pp_lighting_report_standard(char *text, size_t room,
 bool pp_lighting_report_json(struct json_object *object,
                              const struct pp_annual_sheet *sheet);
 
-/* Adds the energy saved by each control to the object of a point; point -1: the
- * average. */
+/* Adds the share of electric light saved by each control (per cent) to the object of a
+ * point; point -1: the average. */
 bool pp_lighting_report_json_point(struct json_object *object,
                                    const struct pp_annual_sheet *sheet, int point);
 

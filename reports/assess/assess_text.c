@@ -27,8 +27,9 @@ struct layout {
 
 /* ---- cells ---- */
 
-/* Writes the verdict and its probability, rounded down. At 99.995 % or more it is
- * "certain". */
+/* Writes the verdict and its probability: in whole per cent, from 99 % rounded down to
+ * two decimals, and above 99.995 % as "certain". For an undecided verdict, writes the
+ * probability that the target is met. */
 static void write_verdict(char cell[CELL], const struct pp_finding *finding)
 {
     const char *word = pp_finding_own_word(finding);

@@ -1,6 +1,6 @@
 /* basis_clauses.h - the bases of one criterion in several rooms: sentences without a
  * full stop, of clauses separated by "; ". A clause "level reached: NAME" has a column
- * of its own in the tables, so it is neither common nor a room's own. For use inside
+ * of its own in the tables, so the first two functions omit it. For use inside
  * reports/page/ only. */
 #ifndef PP_REPORTS_PAGE_BASIS_CLAUSES_H
 #define PP_REPORTS_PAGE_BASIS_CLAUSES_H

@@ -69,8 +69,8 @@ static bool same_bound(const struct pp_finding *a, const struct pp_finding *b)
     return strcmp(first, second) == 0;
 }
 
-/* Notes the row's figure in the list of `count`; returns the new count, or -1 if there
- * are too many. */
+/* Counts the finding in the list of `count` figures, and adds its figure if the list
+ * does not have it. Returns the new count, or -1 if there are too many figures. */
 static int count_topic_figure(struct topic_figure figures[WHATS_MOST], int count,
                               const struct pp_finding *finding)
 {
@@ -213,7 +213,7 @@ static const struct pp_finding *find_in_room(const struct topic *topic, int firs
     return NULL;
 }
 
-/* True if an earlier one of the figures has the same uncertain value in this room, as
+/* True if an earlier figure of the table has the same uncertain value in this room, as
  * the medians of all levels of EN 17037 do. */
 static bool is_said_before(const struct topic *topic, int row,
                            const struct topic_figure *figures, int index)

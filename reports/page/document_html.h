@@ -13,8 +13,8 @@ struct pp_svg_picture {
 };
 
 /* Writes the page. In print, each chapter except the first begins on a new sheet, and
- * pictures are as wide as the page. pictures: drawings in the order of their
- * numbers. */
+ * pictures are at most as wide as the page and 10.5 cm high. pictures: drawings in the
+ * order of their numbers. */
 void pp_document_html(const struct pp_document *document, const char *title,
                       const struct pp_svg_picture *pictures, FILE *out);
 

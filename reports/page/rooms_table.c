@@ -28,8 +28,8 @@ static double glass_m2(const struct pp_world *world)
     return area;
 }
 
-/* Simulated average daylight factor, or else the average by the first hand method that
- * has one; NAN: none. */
+/* Last simulated average daylight factor, or else the average by the first hand method
+ * that has one; NAN: none. */
 static double average_of(const struct pp_report *report)
 {
     double average = NAN;

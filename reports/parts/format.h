@@ -21,8 +21,8 @@ void pp_format_cell(double value, const char *format, int width, FILE *out);
 
 /* Writes a CSV field, in quotes if it contains a separator. NULL is an empty field. An
  * apostrophe is placed before text that a spreadsheet would treat as a formula: text
- * that begins with = + - or @ and is not a number. Bytes that are not UTF-8 are
- * replaced by U+FFFD. */
+ * that begins with = + - @, a tab or a carriage return and is not a number. Bytes that
+ * are not UTF-8 are replaced by U+FFFD. */
 void pp_format_csv_field(const char *text, FILE *out);
 
 /* Writes a comma and a number with ten significant digits. If the number is not finite,

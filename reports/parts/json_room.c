@@ -213,7 +213,7 @@ static bool add_plane(struct json_object *object, const struct pp_region *plane)
     return good;
 }
 
-/* The coarse model that the room is nested in. */
+/* Adds the coarse model in which the room is nested, if there is one. */
 static bool add_within(struct json_object *model, const struct pp_world *world)
 {
     struct json_object *within = json_object_new_object();

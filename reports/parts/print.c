@@ -315,7 +315,7 @@ static void tell_outside(const struct pp_world *world,
     tell(listener, "outside", "%s", text);
 }
 
-/* The coarse model that the room is nested in. */
+/* Passes on the coarse model in which the room is nested, if there is one. */
 static void tell_within(const struct pp_world *world, const struct listener *listener)
 {
     int panes = pp_world_coarse_panes(world);

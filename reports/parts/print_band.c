@@ -18,8 +18,8 @@ static bool is_shown(struct pp_band_ends band)
     return pp_band_is_known(band) && band.high >= LEAST_END;
 }
 
-/* Number of decimals for both ends of a band, such that two or three digits are shown,
- * the accuracy of bands. */
+/* Number of decimals for both ends of a band in per cent, such that its upper end has
+ * one to three digits; bands are not more accurate. */
 static int decimals_of(double high)
 {
     return high < 1e-4 ? 4 : high < 0.09995 ? 2 : 1;

@@ -11,8 +11,8 @@
 #include "studies/sweep.h"
 
 /* Writes one row for each run and room, with the average by each method. With --points,
- * writes one row for each point, with the value by each method. runs: results of each
- * run. */
+ * writes one row for each point and one for the average, with the value by each method.
+ * runs: results of each run. */
 enum pp_status pp_sweep_df_text(const struct pp_sweep *sweep,
                                 const struct pp_results *const *runs, int width,
                                 bool utf8, FILE *out, struct pp_error *err);

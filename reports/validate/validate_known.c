@@ -59,7 +59,7 @@ static void print_head(const struct pp_known_result *result, bool parts, FILE *o
                 "differ", "limit");
 }
 
-/* Prints the name of the room if it differs from the previous room. */
+/* Prints the name and file of the room if the previous case had a different room. */
 static void print_known_room(const struct pp_known_case *one, const char **file,
                              const char **room, FILE *out)
 {

@@ -72,10 +72,10 @@ static void count_case(struct group *group, const struct pp_known_case *one)
     }
 }
 
-/* Collects the groups and returns their number. GROUPS_MOST exceeds the number of
- * groups in any suite. */
+/* Exceeds the number of groups in any suite. */
 enum { GROUPS_MOST = 256 };
 
+/* Collects the groups and returns their number. */
 static int gather_case_groups(struct group groups[GROUPS_MOST],
                               const struct pp_known_cases *cases)
 {
