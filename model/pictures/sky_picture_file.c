@@ -150,6 +150,26 @@ static enum pp_status check_filled(const struct pp_sky_picture *picture,
         100.0 * picture->filled, 100.0 * FILLED_MOST);
 }
 
+static enum pp_status take_sun(struct pp_sky_picture *picture,
+                               const struct pp_sky_picture_options *options,
+                               struct pp_error *err)
+{
+    if (!(options->sun_lx > 0.0))
+        return PP_OK;
+    bool altitude = !isnan(options->sun_altitude_rad),
+         bearing = !isnan(options->sun_bearing_rad);
+    if (!altitude || !bearing)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "sun-illuminance needs the position of the sun; expected %s",
+                       altitude  ? "sun-bearing"
+                       : bearing ? "sun-altitude"
+                                 : "sun-altitude and sun-bearing");
+    picture->sun_lx = options->sun_lx;
+    picture->sun =
+        pp_vec_at_bearing(options->sun_bearing_rad, options->sun_altitude_rad);
+    return PP_OK;
+}
+
 enum pp_status pp_sky_picture_file_read(struct pp_sky_picture **result,
                                         const char *path, const char *second,
                                         const struct pp_sky_picture_options *options,
@@ -162,7 +182,11 @@ enum pp_status pp_sky_picture_file_read(struct pp_sky_picture **result,
     picture->holders = 1;
     picture->horizon_rad = options->horizon_rad;
     picture->fill_cd_m2 = options->fill_cd_m2;
-    enum pp_status status = add_frame(picture, path, options, err);
+    picture->sampling = options->sampling;
+    picture->lamps = options->lamps;
+    enum pp_status status = take_sun(picture, options, err);
+    if (status == PP_OK)
+        status = add_frame(picture, path, options, err);
     if (status == PP_OK && second
         && picture->frames[0].projection == PP_SKY_LATITUDE_LONGITUDE)
         status = pp_fail(err, PP_BAD_INPUT,

@@ -37,14 +37,19 @@ struct pp_sky_picture_options {
                                * pixels */
     double exposure;          /* factor on all pixels (1) */
     bool srgb;                /* sRGB primaries; else Radiance's */
+    enum pp_sky_sampling sampling;
+    int lamps;     /* along an edge of the cube of lamps (16) */
+    double sun_lx; /* normal illuminance from a measured sun; 0: none */
+    double sun_altitude_rad, sun_bearing_rad; /* NAN: not given */
 };
 
 struct pp_sky_picture_options pp_sky_picture_options_none(void);
 
 /* Parses "key=value" pairs, each after a comma. Keys are the attributes of <sky> in a
  * room file: projection, view-angle, top-bearing, view-bearing, view-altitude,
- * mirrored, circle, horizon, fill, illuminance, exposure, primaries, and second, the
- * name of another file. The caller frees *second. */
+ * mirrored, circle, horizon, fill, illuminance, exposure, primaries, sampling, lamps,
+ * sun-illuminance, sun-altitude, sun-bearing, and second, the name of another file. The
+ * caller frees *second. */
 enum pp_status pp_sky_picture_options_parse(struct pp_sky_picture_options *options,
                                             char **second, const char *pairs,
                                             struct pp_error *err);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "model/base/text.h"
+#include "model/light/photographs/sky_cube.h"
 #include "model/pictures/sky_picture_file.h"
 
 struct pp_sky_picture_options pp_sky_picture_options_none(void)
@@ -17,7 +18,10 @@ struct pp_sky_picture_options pp_sky_picture_options_none(void)
                                            .circle = {NAN, NAN, NAN},
                                            .fill_cd_m2 = NAN,
                                            .illuminance_lx = NAN,
-                                           .exposure = 1.0};
+                                           .exposure = 1.0,
+                                           .lamps = 16,
+                                           .sun_altitude_rad = NAN,
+                                           .sun_bearing_rad = NAN};
 }
 
 /* ---- kinds of values ---- */
@@ -30,6 +34,16 @@ static bool read_within(const char *value, double least, double most, double uni
     if (!pp_text_parse_number(value, &read) || !(read >= least) || !(read <= most))
         return false;
     *number = read * unit;
+    return true;
+}
+
+static bool read_lamps(const char *value, int *lamps)
+{
+    double read;
+    if (!pp_text_parse_number(value, &read) || !(read >= PP_SKY_CUBE_LEAST)
+        || !(read <= PP_SKY_CUBE_MOST) || fmod(read, 2.0) != 0.0)
+        return false;
+    *lamps = (int)read;
     return true;
 }
 
@@ -72,6 +86,11 @@ enum key {
     ILLUMINANCE,
     EXPOSURE,
     PRIMARIES,
+    SAMPLING,
+    LAMPS,
+    SUN_ILLUMINANCE,
+    SUN_ALTITUDE,
+    SUN_BEARING,
 };
 
 static const char *const keys[] = {
@@ -87,6 +106,11 @@ static const char *const keys[] = {
     [ILLUMINANCE] = "illuminance",
     [EXPOSURE] = "exposure",
     [PRIMARIES] = "primaries",
+    [SAMPLING] = "sampling",
+    [LAMPS] = "lamps",
+    [SUN_ILLUMINANCE] = "sun-illuminance",
+    [SUN_ALTITUDE] = "sun-altitude",
+    [SUN_BEARING] = "sun-bearing",
     NULL,
 };
 
@@ -104,12 +128,18 @@ static const char *const expected[] = {
     [ILLUMINANCE] = "lux above 0, up to 1e6",
     [EXPOSURE] = "a factor above 0, up to 1e12",
     [PRIMARIES] = "radiance or srgb",
+    [SAMPLING] = "bright, lamps or chance",
+    [LAMPS] = "an even number of lamps along an edge, from 2 to 64",
+    [SUN_ILLUMINANCE] = "lux from 0 to 200000",
+    [SUN_ALTITUDE] = "degrees from 0 to 90",
+    [SUN_BEARING] = "degrees from -360 to 360",
 };
 
 static bool set(struct pp_sky_picture_options *o, enum key key, const char *value)
 {
     static const char *const yes_no[] = {"no", "yes", NULL};
     static const char *const primaries[] = {"radiance", "srgb", NULL};
+    static const char *const samplings[] = {"bright", "lamps", "chance", NULL};
     const double tiny = 1e-12;
     int index;
     switch (key) {
@@ -144,6 +174,18 @@ static bool set(struct pp_sky_picture_options *o, enum key key, const char *valu
         index = index_of(value, primaries);
         o->srgb = index == 1;
         return index >= 0;
+    case SAMPLING:
+        index = index_of(value, samplings);
+        o->sampling = (enum pp_sky_sampling)index;
+        return index >= 0;
+    case LAMPS:
+        return read_lamps(value, &o->lamps);
+    case SUN_ILLUMINANCE:
+        return read_within(value, 0.0, 2e5, 1.0, &o->sun_lx);
+    case SUN_ALTITUDE:
+        return read_within(value, 0.0, 90.0, PP_RAD, &o->sun_altitude_rad);
+    case SUN_BEARING:
+        return read_within(value, -360.0, 360.0, PP_RAD, &o->sun_bearing_rad);
     }
     return false;
 }
@@ -159,7 +201,8 @@ enum pp_status pp_sky_picture_options_set(struct pp_sky_picture_options *options
             err, PP_BAD_INPUT,
             "a photographed sky has no attribute \"%s\"; expected projection, "
             "view-angle, top-bearing, view-bearing, view-altitude, mirrored, circle, "
-            "horizon, fill, illuminance, exposure, primaries or second",
+            "horizon, fill, illuminance, exposure, primaries, sampling, lamps, "
+            "sun-illuminance, sun-altitude, sun-bearing or second",
             pp_text_excerpt(shown_key, sizeof shown_key, key));
     if (!set(options, (enum key)index, value))
         return pp_fail(err, PP_BAD_INPUT, "%s is \"%s\"; expected %s", key,

@@ -56,6 +56,40 @@ traced=$(awk -F, '$3 == "point" && $10 == "sc" && $11 == "traced" { print $12 }'
     "$scratch/out")
 check "within its error" nothing "$(near "$traced" "$clear" 0.03)"
 
+# traced OPTIONS: daylight factor and standard error at a point under the clear sky with a sun.
+sun=sun-illuminance=60000,sun-altitude=35,sun-bearing=200
+traced() {
+    run df -m exact --points 1.5,2 -s --samples 256 --threads 2 --format csv "$deep" \
+        --sky "picture,$scratch/clear.pfm,illuminance=48000,$sun,$1"
+    awk -F, '$3 == "point" && $10 == "df" && $11 == "traced" { print $12, $13 }' "$scratch/out"
+}
+check "a measured sun is added to the illuminance of the sky" \
+    shows "photograph clear.pfm, 48000 lx" df --points 1.5,2 "$deep" \
+    --sky "picture,$scratch/clear.pfm,illuminance=48000,$sun"
+bright=$(traced sampling=bright)
+lamps=$(traced sampling=lamps,lamps=64)
+chance=$(traced sampling=chance)
+# agree FIRST SECOND: within four standard errors.
+agree() {
+    echo "$1 $2" | awk '{ if (!($1 > 0 && ($1 - $3)^2 <= 16 * ($2^2 + $4^2))) print }'
+}
+check "lamps find the light of the bright parts" nothing "$(agree "$bright" "$lamps")"
+check "and chance does" nothing "$(agree "$bright" "$chance")"
+check "with more noise" test -n "$(echo "$bright $chance" | awk '$4 > 3 * $2')"
+check "a sun without its position" refuses 2 "expected sun-bearing" \
+    df --sky "picture,$scratch/clear.pfm,sun-illuminance=60000,sun-altitude=35" "$deep"
+check "a sun that is brighter than the measured illuminance" refuses 2 "the sun alone gives" \
+    df --sky "picture,$scratch/clear.pfm,illuminance=9000,$sun" "$deep"
+check "an odd number of lamps" refuses 2 'lamps is "7"' \
+    df --sky "picture,$scratch/clear.pfm,sampling=lamps,lamps=7" "$deep"
+check "a way of sampling that there is not" refuses 2 "expected bright, lamps or chance" \
+    df --sky "picture,$scratch/clear.pfm,sampling=luck" "$deep"
+sed 's|<plan |<sky type="picture" file="clear.pfm" illuminance="48000" sun-illuminance="60000" sun-altitude="35" sun-bearing="200" sampling="lamps" lamps="64"/><plan |' \
+    "$deep" >"$scratch/sunny.xml"
+run df -m exact --points 1.5,2 -s --samples 256 --format csv "$scratch/sunny.xml"
+check "a room file has the same options" test "$lamps" = \
+    "$(awk -F, '$3 == "point" && $10 == "df" && $11 == "traced" { print $12, $13 }' "$scratch/out")"
+
 run df -m pepper-pot-sky --points 1.5,2 --sky "picture,$scratch/clear.pfm" \
     --format csv "$deep"
 dots=$(awk -F, '$3 == "point" && $10 == "sc" { print $12 }' "$scratch/out")

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "model/light/photographs/sky_cube.h"
 #include "model/light/photographs/sky_picture.h"
 
 enum { CELLS = PP_SKY_PICTURE_ROWS * PP_SKY_PICTURE_COLUMNS };
@@ -45,34 +46,65 @@ static double density_of(const struct pp_sky_bright *bright, int cell)
     return sum;
 }
 
+/* Direction, in the axes of the picture, of a cell's point (a, b) from 0 to 1. */
+static struct pp_vec3 point_of(int cell, double a, double b)
+{
+    int row = cell / PP_SKY_PICTURE_COLUMNS, column = cell % PP_SKY_PICTURE_COLUMNS;
+    double foot = sin(row * ROW_RAD), head = sin((row + 1) * ROW_RAD);
+    double z = foot + a * (head - foot);
+    double bearing = (column + b) * COLUMN_RAD, level = sqrt(fmax(0.0, 1.0 - z * z));
+    return pp_vec(level * sin(bearing), level * cos(bearing), z);
+}
+
+/* Sets the densities of lamps: the light of the picture's cells within each, over its
+ * area. */
+static void measure_lamps(struct pp_sky_bright *bright)
+{
+    double area = 4.0 / (bright->edge * bright->edge);
+    for (int i = 0; i < CELLS; i++) {
+        double light = (double)bright->sky.picture->cells[i] * solid_angle_of(i);
+        bright->density[pp_sky_cube_lamp(bright->edge, point_of(i, 0.5, 0.5), NULL)] +=
+            (float)(light / area);
+    }
+}
+
+static void measure_excess(struct pp_sky_bright *bright)
+{
+    for (int i = 0; i < CELLS; i++)
+        bright->density[i] = (float)density_of(bright, i);
+}
+
 /* Finds the bright cells and their cumulative probabilities. */
 static void gather_bright_cells(struct pp_sky_bright *bright)
 {
-    for (int i = 0; i < CELLS; i++) {
-        bright->density[i] = (float)density_of(bright, i);
+    int count = bright->edge ? pp_sky_cube_count(bright->edge) : CELLS;
+    for (int i = 0; i < count; i++) {
         if (!(bright->density[i] > 0.0F))
             continue;
+        double size =
+            bright->edge ? 4.0 / (bright->edge * bright->edge) : solid_angle_of(i);
         bright->cells[bright->count] = i;
         bright->below[bright->count++] = bright->integral;
-        bright->integral += (double)bright->density[i] * solid_angle_of(i);
+        bright->integral += (double)bright->density[i] * size;
     }
     for (int i = 0; i < bright->count; i++)
         bright->below[i] /= bright->integral;
 }
 
-static bool is_worth_it(const struct pp_sky_bright *bright)
+/* Light of the density's cells over that of the sky. */
+static double share_of(const struct pp_sky_bright *bright)
 {
     double light = 0.0;
     for (int i = 0; i < CELLS; i++)
         light += (double)bright->sky.picture->cells[i] * solid_angle_of(i);
-    return bright->integral > LEAST_SHARE * light;
+    return fmin(1.0, bright->integral / light);
 }
 
 enum pp_status pp_sky_bright_create(struct pp_sky_bright **result,
                                     const struct pp_sky *sky, struct pp_error *err)
 {
     *result = NULL;
-    if (sky->kind != PP_SKY_PICTURE)
+    if (sky->kind != PP_SKY_PICTURE || sky->picture->sampling == PP_SKY_SAMPLE_CHANCE)
         return PP_OK;
     struct pp_sky_bright *bright = calloc(1, sizeof *bright);
     if (!bright)
@@ -81,13 +113,20 @@ enum pp_status pp_sky_bright_create(struct pp_sky_bright **result,
     bright->least_cd_m2 = BRIGHT * sky->picture->horizontal_lx / PP_PI;
     bright->cells = malloc(CELLS * sizeof *bright->cells);
     bright->below = malloc(CELLS * sizeof *bright->below);
-    bright->density = malloc(CELLS * sizeof *bright->density);
+    bright->density = calloc(CELLS, sizeof *bright->density);
     if (!bright->cells || !bright->below || !bright->density) {
         pp_sky_bright_destroy(bright);
         return pp_fail_memory(err);
     }
+    if (sky->picture->sampling == PP_SKY_SAMPLE_LAMPS) {
+        bright->edge = sky->picture->lamps;
+        measure_lamps(bright);
+    } else {
+        measure_excess(bright);
+    }
     gather_bright_cells(bright);
-    if (bright->count == 0 || !is_worth_it(bright)) {
+    bright->share = share_of(bright);
+    if (!(bright->share > LEAST_SHARE)) {
         pp_sky_bright_destroy(bright);
         return PP_OK;
     }
@@ -120,14 +159,12 @@ struct pp_vec3 pp_sky_bright_draw(const struct pp_sky_bright *bright, double u,
             high = middle;
     }
     double end = low + 1 < bright->count ? bright->below[low + 1] : 1.0;
-    double within = (u - bright->below[low]) / (end - bright->below[low]);
-    int row = bright->cells[low] / PP_SKY_PICTURE_COLUMNS;
-    int column = bright->cells[low] % PP_SKY_PICTURE_COLUMNS;
-    double foot = sin(row * ROW_RAD), head = sin((row + 1) * ROW_RAD);
-    double z = foot + fmin(1.0, fmax(0.0, within)) * (head - foot);
-    double bearing = (column + v) * COLUMN_RAD, level = sqrt(fmax(0.0, 1.0 - z * z));
-    return pp_sky_from_north(&bright->sky,
-                             pp_vec(level * sin(bearing), level * cos(bearing), z));
+    double within =
+        fmin(1.0, fmax(0.0, (u - bright->below[low]) / (end - bright->below[low])));
+    int cell = bright->cells[low];
+    return pp_sky_from_north(
+        &bright->sky, bright->edge ? pp_sky_cube_point(bright->edge, cell, within, v)
+                                   : point_of(cell, within, v));
 }
 
 double pp_sky_bright_pdf(const struct pp_sky_bright *bright, struct pp_vec3 to)
@@ -135,6 +172,11 @@ double pp_sky_bright_pdf(const struct pp_sky_bright *bright, struct pp_vec3 to)
     if (!(to.z > 0.0))
         return 0.0;
     struct pp_vec3 u = pp_sky_to_north(&bright->sky, to);
+    if (bright->edge) {
+        double solid_angle;
+        int lamp = pp_sky_cube_lamp(bright->edge, u, &solid_angle);
+        return (double)bright->density[lamp] / solid_angle / bright->integral;
+    }
     double bearing = atan2(u.x, u.y);
     int row = (int)(asin(fmin(1.0, u.z)) / ROW_RAD);
     int column = (int)((bearing < 0.0 ? bearing + 2.0 * PP_PI : bearing) / COLUMN_RAD);

@@ -3,10 +3,15 @@
  *
  * The density of a direction is proportional to the excess of its cell, in the
  * picture's table, over four times the mean luminance of the sky. A tenth of the excess
- * of each neighbouring cell is added.
+ * of each neighbouring cell is added. A sky without bright parts, such as an overcast
+ * one, has none.
  *
- * Directions are drawn by the cumulative sums of the cells, and uniformly in solid
- * angle within a cell. A sky without bright parts, such as an overcast one, has none.
+ * For a picture that is sampled as a cube of lamps (sky_cube.h), the cells are these
+ * lamps, and all of them are bright parts. The density of a lamp is proportional to its
+ * light.
+ *
+ * Directions are drawn by the cumulative sums of the cells, and uniformly within a
+ * cell: in solid angle, or on the area of a lamp.
  */
 #ifndef PP_MODEL_LIGHT_PHOTOGRAPHS_SKY_BRIGHT_H
 #define PP_MODEL_LIGHT_PHOTOGRAPHS_SKY_BRIGHT_H
@@ -21,16 +26,21 @@ enum { PP_SKY_BRIGHT_SOME = 8 };
 struct pp_sky_bright {
     struct pp_sky sky;
     double least_cd_m2; /* luminance above which a cell is bright */
-    double integral;    /* of `density` (cd sr/m2) */
-    float *density;     /* by cell of the picture's table, not normalised (cd/m2) */
+    int edge;           /* lamps along an edge of the cube; 0: the cells are those of
+                         * the picture's table */
+    double integral;    /* of `density` over all cells */
+    double share;       /* of the sky's light that the density represents */
+    float *density;     /* by cell, not normalised: per steradian, or per area of a
+                         * lamp */
     int count;          /* bright cells */
-    int *cells;         /* indices in the picture's table */
+    int *cells;         /* their indices */
     double *below;      /* probability of all bright cells before each */
     struct pp_vec3 some[PP_SKY_BRIGHT_SOME];
 };
 
-/* Finds the bright parts. *bright is NULL for a sky that is no photograph, or if the
- * excess is less than 1 % of the light. The picture must outlive *bright. */
+/* Finds the bright parts. *bright is NULL for a sky that is no photograph, for a
+ * picture whose light is found by chance, or if the excess is less than 1 % of the
+ * light. The picture must outlive *bright. */
 enum pp_status pp_sky_bright_create(struct pp_sky_bright **bright,
                                     const struct pp_sky *sky, struct pp_error *err);
 void pp_sky_bright_destroy(struct pp_sky_bright *bright); /* NULL is allowed */

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/light/photographs/sky_picture_sun.h"
+
 /* ---- pixels around a position ---- */
 
 /* Mean of the valid pixels around a position, with bilinear weights. */
@@ -468,11 +470,20 @@ enum pp_status pp_sky_picture_settle(struct pp_sky_picture *picture, double meas
         status = fill_cells(picture, err);
     if (status != PP_OK)
         return status;
+    double of_sun = picture->sun_lx * picture->sun.z;
+    if (measured_lx <= of_sun)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the sun alone gives %.0f lx on a horizontal plane; expected an "
+                       "illuminance above that, or a lower sun-illuminance",
+                       of_sun);
     if (!isnan(measured_lx))
-        scale_luminance(picture, measured_lx / picture->horizontal_lx);
-    count_saturated(picture);
+        scale_luminance(picture, (measured_lx - of_sun) / picture->horizontal_lx);
+    if (picture->sun_lx > 0.0)
+        status = pp_sky_picture_sun_add(picture, err);
+    else
+        count_saturated(picture);
     picture->hash = hash_of(picture);
-    return PP_OK;
+    return status;
 }
 
 void pp_sky_picture_release(struct pp_sky_picture *picture)

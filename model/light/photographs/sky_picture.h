@@ -35,14 +35,27 @@ struct pp_sky_frame {
  * columns of equal bearing steps clockwise from north. */
 enum { PP_SKY_PICTURE_ROWS = 256, PP_SKY_PICTURE_COLUMNS = 1024 };
 
-/* A photographed sky. The caller sets frames, frame_count, horizon_rad and fill_cd_m2;
- * pp_sky_picture_settle sets all other members. */
+/* How simulations find the light of a photograph: its bright parts are sampled directly
+ * (sky_bright.h), or a cube of lamps (sky_cube.h), or all light is found by chance. */
+enum pp_sky_sampling {
+    PP_SKY_SAMPLE_BRIGHT,
+    PP_SKY_SAMPLE_LAMPS,
+    PP_SKY_SAMPLE_CHANCE
+};
+
+/* A photographed sky. The caller sets frames, frame_count, horizon_rad, fill_cd_m2,
+ * sampling, lamps, sun_lx and sun; pp_sky_picture_settle sets all other members. */
 struct pp_sky_picture {
     struct pp_sky_frame frames[2]; /* the picture owns their pixels */
     int frame_count;
     double horizon_rad; /* altitude below which pixels are ignored */
     double fill_cd_m2; /* luminance below the horizon and outside the pictures; NAN: the
                          * nearest valid luminance, at the same bearing or on the rim */
+    enum pp_sky_sampling sampling;
+    int lamps; /* along an edge of the cube (sky_cube.h); PP_SKY_SAMPLE_LAMPS only */
+    double sun_lx; /* normal illuminance from a measured sun, added to the picture; 0:
+                    * none */
+    struct pp_vec3 sun; /* unit, towards it */
 
     char *title;          /* file name */
     double horizontal_lx; /* unobstructed horizontal illuminance */
@@ -50,15 +63,16 @@ struct pp_sky_picture {
     double peak_cd_m2;    /* luminance of the brightest pixel */
     int saturated;   /* number of pixels with peak_cd_m2, if they may be a sun beyond
                       * the camera's range; else 0 */
-    uint64_t hash;   /* hash of all members above */
+    uint64_t hash;   /* hash of the luminance: frames, horizon and fill */
     float *cells;    /* [PP_SKY_PICTURE_ROWS][PP_SKY_PICTURE_COLUMNS], cd/m2 */
     double step_rad; /* smallest angle of a pixel */
     int holders;     /* see pp_sky_picture_release */
 };
 
-/* Calculates all members but frames, horizon and fill. measured_lx: horizontal
- * illuminance (lx; NAN: none) to which pixels are scaled. PP_BAD_INPUT if a pixel is
- * negative or not finite, or the sky gives no light. */
+/* Calculates the members after `sun`. measured_lx: horizontal illuminance (lx; NAN:
+ * none), with the measured sun, to which pixels are scaled. PP_BAD_INPUT if a pixel is
+ * negative or not finite, the sky gives no light, or the sun alone gives measured_lx or
+ * more. */
 enum pp_status pp_sky_picture_settle(struct pp_sky_picture *picture, double measured_lx,
                                      struct pp_error *err);
 

@@ -14,6 +14,8 @@ static bool read_options(struct pp_reader *r, struct pp_sky_picture_options *opt
 {
     bool good = true;
     *options = pp_sky_picture_options_none();
+    options->sun_altitude_rad = form->sun_altitude_rad;
+    options->sun_bearing_rad = form->sun_bearing_rad;
     for (int i = 0; i < PP_SKY_FORM_OPTIONS; i++) {
         struct pp_error fault;
         if (!form->picture[i]

@@ -89,11 +89,14 @@ static const struct pp_attribute_rule sky_rows[] = {
     {"illuminance", &text, OR(NAN), IN(sky, picture[9])},
     {"exposure", &text, OR(NAN), IN(sky, picture[10])},
     {"primaries", &text, OR(NAN), IN(sky, picture[11])},
+    {"sampling", &text, OR(NAN), IN(sky, picture[12])},
+    {"lamps", &text, OR(NAN), IN(sky, picture[13])},
+    {"sun-illuminance", &text, OR(NAN), IN(sky, picture[14])},
 };
 const char *const pp_sky_form_keys[PP_SKY_FORM_OPTIONS] = {
-    "projection",    "view-angle",  "top-bearing", "view-bearing",
-    "view-altitude", "mirrored",    "circle",      "horizon",
-    "fill",          "illuminance", "exposure",    "primaries",
+    "projection", "view-angle", "top-bearing", "view-bearing", "view-altitude",
+    "mirrored",   "circle",     "horizon",     "fill",         "illuminance",
+    "exposure",   "primaries",  "sampling",    "lamps",        "sun-illuminance",
 };
 LEAF(sky, "sky", sky_rows);
 

@@ -124,7 +124,7 @@ struct pp_tree_form {
 };
 
 /* Attributes read by sky_picture_file.h. */
-enum { PP_SKY_FORM_OPTIONS = 12 };
+enum { PP_SKY_FORM_OPTIONS = 15 };
 extern const char *const pp_sky_form_keys[PP_SKY_FORM_OPTIONS];
 
 struct pp_sky_form {

@@ -212,6 +212,89 @@ static void a_sun_that_is_cut_off_is_noticed(void **state)
     free(picture.cells);
 }
 
+/* Illuminance from within 3 degrees of a direction on a plane that faces it. */
+static double light_around(const struct pp_sky_picture *picture, struct pp_vec3 to)
+{
+    enum { FINE = 600 };
+    struct pp_vec3 a = pp_vec_unit(pp_vec_cross(to, pp_vec(0.0, 0.0, 1.0)));
+    struct pp_vec3 b = pp_vec_cross(to, a);
+    double sum = 0.0, most = sin(3.0 * PP_RAD), step = 2.0 * most / FINE;
+    for (int i = 0; i < FINE * FINE; i++) {
+        double x = (i % FINE + 0.5) * step - most, y = (i / FINE + 0.5) * step - most;
+        if (hypot(x, y) > most)
+            continue;
+        struct pp_vec3 u = pp_vec_along(pp_vec_scale(a, x), y, b);
+        u = pp_vec_along(u, sqrt(1.0 - x * x - y * y), to);
+        sum += step * step * pp_sky_picture_luminance(picture, u, NULL);
+    }
+    return sum;
+}
+
+static struct pp_sky_picture *unsettled(struct lens lens, double sun_lx,
+                                        struct pp_vec3 sun)
+{
+    struct pp_sky overcast = pp_sky_overcast();
+    struct pp_sky_picture *picture = calloc(1, sizeof *picture);
+    assert_non_null(picture);
+    picture->frames[picture->frame_count++] = frame_of(&overcast, lens, 1e4);
+    picture->fill_cd_m2 = NAN;
+    picture->sun_lx = sun_lx;
+    picture->sun = sun;
+    return picture;
+}
+
+/* A sun of 70,000 lx, 40 degrees above the horizon. */
+static void a_measured_sun_adds_its_light_in_every_projection(void **state)
+{
+    (void)state;
+    struct pp_vec3 sun = pp_vec_at_bearing(200.0 * PP_RAD, 40.0 * PP_RAD);
+    for (size_t i = 0; i < sizeof lenses / sizeof *lenses; i++) {
+        struct pp_sky_picture *without = unsettled(lenses[i], 0.0, sun);
+        struct pp_sky_picture *with = unsettled(lenses[i], 7e4, sun);
+        assert_int_equal(pp_sky_picture_settle(without, NAN, NULL), PP_OK);
+        assert_int_equal(pp_sky_picture_settle(with, NAN, NULL), PP_OK);
+        assert_near(with->horizontal_lx - without->horizontal_lx,
+                    7e4 * sin(40.0 * PP_RAD), 1e-6);
+        assert_relative(light_around(with, sun) - light_around(without, sun), 7e4,
+                        0.01);
+        assert_relative(pp_sky_picture_on_plane(with, sun)
+                            - pp_sky_picture_on_plane(without, sun),
+                        7e4, 1e-3);
+        assert_int_equal(with->saturated, 0);
+        pp_sky_picture_release(without);
+        pp_sky_picture_release(with);
+    }
+}
+
+static void a_measured_illuminance_includes_the_measured_sun(void **state)
+{
+    (void)state;
+    struct pp_error err;
+    struct pp_vec3 sun = pp_vec_at_bearing(1.0, 30.0 * PP_RAD);
+    struct pp_sky_picture *picture = unsettled(lenses[0], 6e4, sun);
+    assert_int_equal(pp_sky_picture_settle(picture, 5e4, NULL), PP_OK);
+    assert_near(picture->horizontal_lx, 5e4, 1e-6);
+    assert_relative(pp_sky_picture_luminance(picture, pp_vec(0.0, 0.0, 1.0), NULL),
+                    2e4 * 9.0 / (7.0 * PP_PI), 1e-3);
+    pp_sky_picture_release(picture);
+    picture = unsettled(lenses[0], 6e4, sun);
+    assert_int_equal(pp_sky_picture_settle(picture, 2.9e4, &err), PP_BAD_INPUT);
+    assert_non_null(strstr(err.message, "the sun alone gives 30000 lx"));
+    pp_sky_picture_release(picture);
+}
+
+static void a_sun_outside_the_picture_is_refused(void **state)
+{
+    (void)state;
+    struct pp_error err;
+    struct lens narrow = {PP_SKY_EQUIDISTANT, 60.0 * PP_RAD, 64};
+    struct pp_sky_picture *picture =
+        unsettled(narrow, 6e4, pp_vec_at_bearing(1.0, 20.0 * PP_RAD));
+    assert_int_equal(pp_sky_picture_settle(picture, NAN, &err), PP_BAD_INPUT);
+    assert_non_null(strstr(err.message, "outside the picture"));
+    pp_sky_picture_release(picture);
+}
+
 static void a_picture_without_light_is_refused(void **state)
 {
     (void)state;
@@ -244,6 +327,9 @@ TEST_FILE
         cmocka_unit_test(two_opposite_pictures_show_all_directions),
         cmocka_unit_test(a_horizon_is_filled_in_as_given),
         cmocka_unit_test(a_sun_that_is_cut_off_is_noticed),
+        cmocka_unit_test(a_measured_sun_adds_its_light_in_every_projection),
+        cmocka_unit_test(a_measured_illuminance_includes_the_measured_sun),
+        cmocka_unit_test(a_sun_outside_the_picture_is_refused),
         cmocka_unit_test(a_picture_without_light_is_refused),
     };
     add_tests(tests, NULL, NULL);
