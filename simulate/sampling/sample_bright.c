@@ -1,12 +1,15 @@
 /* sample_bright.c - see sample_bright.h. */
 #include "simulate/sampling/sample_bright.h"
 
+#include <math.h>
+
 #include "simulate/sampling/lobe.h"
 #include "simulate/sampling/triangle.h"
 
-static double share_of_count(int count)
+static double share_of_count(const struct pp_sky_bright *bright, int count)
 {
-    return (1.0 + 7.0 * count / PP_SKY_BRIGHT_SOME) / 16.0;
+    return fmin(1.0, 2.0 * bright->share) * (1.0 + 7.0 * count / PP_SKY_BRIGHT_SOME)
+           / 16.0;
 }
 
 /* Finds the point where a ray from `from` meets the front of the target. */
@@ -39,7 +42,7 @@ double pp_sample_bright_share_of_target(const struct pp_sky_bright *bright,
     for (int i = 0; i < PP_SKY_BRIGHT_SOME; i++)
         count += pp_vec_dot(n, bright->some[i]) > 0.0
                  && meets_target(target, from, bright->some[i], &sample);
-    return share_of_count(count);
+    return share_of_count(bright, count);
 }
 
 bool pp_sample_bright_draw_to_target(const struct pp_sky_bright *bright,
@@ -57,7 +60,7 @@ double pp_sample_bright_lobe(const struct pp_sky_bright *bright, struct pp_vec3 
     int count = 0;
     for (int i = 0; bright && i < PP_SKY_BRIGHT_SOME; i++)
         count += pp_vec_dot(n, bright->some[i]) > 0.0;
-    double share = bright ? share_of_count(count) : 0.0;
+    double share = bright ? share_of_count(bright, count) : 0.0;
     *to = u < share ? pp_sky_bright_draw(bright, u / share, v)
                     : pp_lobe_sample_in_frame(a, b, n, (u - share) / (1.0 - share), v);
     if (!bright)

@@ -9,7 +9,8 @@
  *
  * for every u, which is the balance heuristic for one sample [VG95]. No light of the
  * sky is counted twice, and no further rays are needed. q is 1/16 if none of the
- * representative directions of the bright parts can contribute, and 1/2 if all can.
+ * representative directions of the bright parts can contribute, and 1/2 if all can. If
+ * the bright parts have less than half of the light, q is lower in proportion.
  */
 #ifndef PP_SIMULATE_SAMPLING_SAMPLE_BRIGHT_H
 #define PP_SIMULATE_SAMPLING_SAMPLE_BRIGHT_H

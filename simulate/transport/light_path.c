@@ -390,9 +390,8 @@ static bool scatter_matt(struct pp_radiance_state *state, struct pp_light_path *
         pp_lobe_frame(hit->normal, &frame.x, &frame.y);
     path->depth++;
     path->split = false;
-    double chance =
-        pp_path_scatter_diffuse(state, path, shading.point, &frame, hit->space);
-    return pp_path_scatter_survives(path, path->least, chance);
+    return pp_path_scatter_diffuse(state, path, shading.point, &frame, hit->space,
+                                   path->least);
 }
 
 /* Scatters at the ground, a diffuse surface outdoors. No cache is read for the ground.
@@ -407,7 +406,7 @@ static bool scatter_ground(struct pp_radiance_state *state, struct pp_light_path
     uint32_t index = state->index;
     uint32_t count =
         path->split ? GROUND_DIRECTIONS * (uint32_t)state->options.source_most : 1;
-    double share = pp_outside_light_ground(&state->environment->light) / count, chance;
+    double share = pp_outside_light_ground(&state->environment->light) / count;
     pp_path_scatter_note_met(path, hit->space);
     if (state->options.ground_counts && path->depth++ >= state->options.bounces)
         return false;
@@ -428,15 +427,16 @@ static bool scatter_ground(struct pp_radiance_state *state, struct pp_light_path
     for (uint32_t i = 1; i < count; i++) {
         struct pp_light_path branch = *path;
         state->index = index * count + i;
-        pp_path_scatter_diffuse(state, &branch, hit->point, &level, hit->space);
+        pp_path_scatter_diffuse(state, &branch, hit->point, &level, hit->space, 0.0);
         branch.vertex = pp_path_vertex_branch(path->vertex, PP_DRAWS);
         *total = pp_rgb_add(*total, pp_light_path_follow(state, &branch, NULL));
     }
     state->index = index * count;
-    chance = pp_path_scatter_diffuse(state, path, hit->point, &level, hit->space);
+    bool survives =
+        pp_path_scatter_diffuse(state, path, hit->point, &level, hit->space,
+                                count > 1 ? 0.0 : LEAST_GROUND * path->least);
     state->index = index;
-    return count > 1
-           || pp_path_scatter_survives(path, LEAST_GROUND * path->least, chance);
+    return survives;
 }
 
 /* Arrival of a ray at a reflector whose light was also sampled directly; -1: none. */

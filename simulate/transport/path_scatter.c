@@ -97,21 +97,23 @@ static const struct pp_sky_bright *bright_for(const struct pp_radiance_state *st
     return here ? state->environment->bright : NULL;
 }
 
-double pp_path_scatter_diffuse(const struct pp_radiance_state *state,
-                               struct pp_light_path *path, struct pp_vec3 from,
-                               const struct pp_frame *frame, enum pp_space space)
+bool pp_path_scatter_diffuse(const struct pp_radiance_state *state,
+                             struct pp_light_path *path, struct pp_vec3 from,
+                             const struct pp_frame *frame, enum pp_space space,
+                             double least)
 {
     double u[4]; /* direction (2), unused, Russian roulette */
     pp_sobol_sequence_draw(&state->sequence, state->index, path->vertex * PP_DRAWS, 4,
                            u);
     path->ray = (struct pp_light_ray){from, frame->z, frame->z, space};
-    path->throughput = pp_rgb_scale(
-        path->throughput,
+    double weight =
         pp_sample_bright_lobe(bright_for(state, path, space), frame->x, frame->y,
-                              frame->z, u[0], u[1], &path->ray.to));
+                              frame->z, u[0], u[1], &path->ray.to);
     path->sampled = PP_DIRECTLY_SAMPLED_ALL;
     path->sampled_in = space;
     path->from_diffuse = true;
     path->mirror_path = -1;
-    return u[3];
+    bool survives = pp_path_scatter_survives(path, least, u[3]);
+    path->throughput = pp_rgb_scale(path->throughput, weight);
+    return survives;
 }

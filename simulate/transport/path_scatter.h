@@ -27,10 +27,12 @@ bool pp_path_scatter_by_lobe(const struct pp_radiance_state *state,
                              double u, double v);
 
 /* Sets the path's direction to a direction of a diffuse surface's cosine lobe, by the
- * random numbers of the path's vertex. Returns the random number for Russian
- * roulette. */
-double pp_path_scatter_diffuse(const struct pp_radiance_state *state,
-                               struct pp_light_path *path, struct pp_vec3 from,
-                               const struct pp_frame *frame, enum pp_space space);
+ * random numbers of the path's vertex. False if Russian roulette, below the throughput
+ * `least`, ends the path. Roulette ignores the weight of the direction, which is small
+ * for a direction to a bright part of the sky. */
+bool pp_path_scatter_diffuse(const struct pp_radiance_state *state,
+                             struct pp_light_path *path, struct pp_vec3 from,
+                             const struct pp_frame *frame, enum pp_space space,
+                             double least);
 
 #endif

@@ -19,11 +19,13 @@ static int make_sobol(void **state)
 
 /* A panorama with north in its middle: a luminance of 1000 cd/m2, and a sun of 2.4
  * degrees in radius at bearing 140, altitude 31 degrees. */
-static struct pp_sky_picture *panorama(double sun_cd_m2)
+static struct pp_sky_picture *panorama(double sun_cd_m2, enum pp_sky_sampling sampling)
 {
     struct pp_sky_picture *picture = calloc(1, sizeof *picture);
     assert_non_null(picture);
     picture->fill_cd_m2 = NAN;
+    picture->sampling = sampling;
+    picture->lamps = 16;
     picture->frame_count = 1;
     struct pp_sky_frame *frame = &picture->frames[0];
     *frame = (struct pp_sky_frame){.width = 1024,
@@ -56,12 +58,17 @@ struct sunny {
     struct pp_sky_bright *bright;
 };
 
-static struct sunny sunny_sky(double sun_cd_m2)
+static struct sunny sampled_sky(double sun_cd_m2, enum pp_sky_sampling sampling)
 {
-    struct sunny sunny = {.picture = panorama(sun_cd_m2)};
+    struct sunny sunny = {.picture = panorama(sun_cd_m2, sampling)};
     sunny.sky = pp_sky_of_picture(sunny.picture, 0.37);
     assert_int_equal(pp_sky_bright_create(&sunny.bright, &sunny.sky, NULL), PP_OK);
     return sunny;
+}
+
+static struct sunny sunny_sky(double sun_cd_m2)
+{
+    return sampled_sky(sun_cd_m2, PP_SKY_SAMPLE_BRIGHT);
 }
 
 static void clear_sunny(struct sunny *sunny)
@@ -106,6 +113,41 @@ static void directions_are_drawn_in_the_sun_with_their_density(void **state)
     double disc = 2.0 * PP_PI * (1.0 - cos(2.4 * PP_RAD));
     assert_true(solid > disc && solid < 1.7 * disc);
     assert_near(pp_sky_bright_pdf(sunny.bright, pp_vec(0.0, 0.0, 1.0)), 0.0, 0.0);
+    clear_sunny(&sunny);
+}
+
+static void light_found_by_chance_has_no_bright_parts(void **state)
+{
+    (void)state;
+    struct sunny chance = sampled_sky(4e6, PP_SKY_SAMPLE_CHANCE);
+    assert_null(chance.bright);
+    clear_sunny(&chance);
+}
+
+/* The mean of 1/p over directions drawn from a density that is nowhere 0 is the solid
+ * angle of the sky, the mean of L/p its scalar illuminance: 2 pi L for a grey sky. */
+static void lamps_of_a_cube_cover_the_sky_with_their_density(void **state)
+{
+    (void)state;
+    struct sunny grey = sampled_sky(1000.0, PP_SKY_SAMPLE_LAMPS);
+    struct sunny sunny = sampled_sky(4e6, PP_SKY_SAMPLE_LAMPS);
+    struct pp_sobol_sequence sequence = sequence_of(5);
+    double solid = 0.0, sunlit = 0.0;
+    const int count = 1 << 14;
+    for (uint32_t i = 0; i < (uint32_t)count; i++) {
+        double u[2];
+        pp_sobol_sequence_draw(&sequence, i, 0, 2, u);
+        struct pp_vec3 to = pp_sky_bright_draw(grey.bright, u[0], u[1]);
+        solid += 1.0 / pp_sky_bright_pdf(grey.bright, to) / count;
+        to = pp_sky_bright_draw(sunny.bright, u[0], u[1]);
+        sunlit += pp_sky_luminance(&sunny.sky, to) / pp_sky_bright_pdf(sunny.bright, to)
+                  / count;
+    }
+    assert_relative(solid, 2.0 * PP_PI, 0.002);
+    double disc = 2.0 * PP_PI * (1.0 - cos(2.4 * PP_RAD));
+    assert_relative(sunlit * sunny.picture->horizontal_lx,
+                    1000.0 * 2.0 * PP_PI + 4e6 * disc, 0.03);
+    clear_sunny(&grey);
     clear_sunny(&sunny);
 }
 
@@ -203,6 +245,8 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_sky_without_a_sun_has_no_bright_parts),
+        cmocka_unit_test(light_found_by_chance_has_no_bright_parts),
+        cmocka_unit_test(lamps_of_a_cube_cover_the_sky_with_their_density),
         cmocka_unit_test(directions_are_drawn_in_the_sun_with_their_density),
         cmocka_unit_test(sixty_four_directions_find_the_illuminance_of_a_plane),
         cmocka_unit_test(a_window_gives_the_same_light_with_directions_to_the_sun),
