@@ -95,7 +95,7 @@ FNR == 1 { file++; next }
     }
     next
 }
-FILENAME ~ /hours/ { next }
+FILENAME ~ /hours/ || $7 == "df-rule" { next } # the rule is that of this fit: add_rule
 {
     i = ++lines
     room[i] = $2; bearing[i] = $3; point[i] = $4; target[i] = $6; method[i] = $7

@@ -3,7 +3,7 @@
 # simulated year, in 12 rooms of four orientations each: rooms 1 to 8 for fits, 9 to 12 held out.
 # Writes FOLDER/year.csv, a line for each point, target and method, and prints the tables of
 # docs/methods/year-by-hand.md and the constants of the rule; FOLDER/ranges.csv has the rows of
-# tables/year_ranges.csv. Five minutes of processor time. With FOLDER/year.csv in place only the
+# tables/year_ranges.csv. Seven minutes of processor time. With FOLDER/year.csv in place only the
 # tables are made.
 set -eu
 LC_ALL=C

@@ -67,6 +67,8 @@ check "several points" refuses 2 "one point only" $annual -m all -e "$room"
 check "CSV of an explanation" refuses 2 "cannot write CSV" $explain -f csv "$room"
 check "a wrong name" refuses 2 "did you mean doe2" $annual -m doe3 "$room"
 check "an empty name" refuses 2 "expected all" $annual -m "doe2,," "$room"
+check "the lumen method, with its reason" refuses 2 \
+    "do not give the coefficients of the lumen method for every hour" $annual -m lumen "$room"
 check "two daylight factors" refuses 1 "expected one" $annual -m doe2 \
     --df exact+bre,exact+split-flux "$room"
 check "a wrong daylight factor" refuses 2 "exact" $annual -m doe2 --df exactly "$room"

@@ -22,6 +22,16 @@ const struct pp_year_method *const pp_year_methods[] = {
 };
 /* clang-format on */
 
+/* The lumen method of df by one of its names. */
+static enum pp_status refuse_lumen(const char *name, struct pp_error *err)
+{
+    return pp_fail(err, PP_BAD_INPUT,
+                   "%s is not available for the year: public sources do not give the "
+                   "coefficients of the lumen method for every hour; expected other "
+                   "methods, or --df %s for its daylight factors",
+                   name, name);
+}
+
 enum pp_status pp_year_method_choose(struct pp_year_methods_choice *choice,
                                      const char *text, struct pp_error *err)
 {
@@ -39,6 +49,8 @@ enum pp_status pp_year_method_choose(struct pp_year_methods_choice *choice,
         if (found > count || length == 0) {
             char typed[64];
             snprintf(typed, sizeof typed, "%.*s", (int)length, word);
+            if (strcmp(typed, "lumen") == 0 || strcmp(typed, "lumen-one") == 0)
+                return refuse_lumen(typed, err);
             return pp_text_unknown(err, typed, names, count + 1, NULL,
                                    "there is no method for the year \"%s\"", typed);
         }

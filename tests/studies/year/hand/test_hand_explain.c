@@ -77,8 +77,11 @@ static void every_hour_and_year_is_recomputed_from_its_digits(void **state)
         assert_int_equal(pp_hand_year_of_room(&hand, &made.room, &year.year,
                                               &made.annual, &made.options, NULL),
                          PP_OK);
+        /* Every method of the list applies. */
+        assert_null(pp_year_methods[hand.column_count]);
         for (int k = 0; k < hand.column_count; k++) {
             const struct pp_hand_column *column = &hand.columns[k];
+            assert_null(column->why);
             assert_true(recompute_steps(&column->hour, column->name) >= 1);
             assert_int_equal(recompute_steps(&column->year, column->name), 6);
         }

@@ -154,6 +154,21 @@ static void type_1_gives_less_light_to_the_back_of_the_room(void **state)
     assert_true(ratio > 0.85 && ratio < 0.97);
 }
 
+/* EnergyPlus's overcast sky is that of Moon and Spencer, whatever the daylight factors
+ * are for. At a clearness of 1 and a brightness of 0.05 the sky is entirely overcast,
+ * and the method gives the daylight factor times diffuse light. */
+static void overcast_sky_of_four_skies_is_that_of_moon_and_spencer(void **state)
+{
+    (void)state;
+    struct made_hand_year year;
+    fill_overcast(&year);
+    year.skies[0].brightness = 0.05;
+    double lx = figure_of(&year, "four-skies", 0, true);
+    assert_near(lx, figure_of(&year, "four-skies", 0, false), 0.0);
+    assert_relative(lx, figure_of(&year, "df-diffuse", 0, false), 1e-6);
+    assert_true(lx > 1.03 * figure_of(&year, "df-diffuse", 0, true));
+}
+
 /* Equal windows facing south, north and west. A screen with an openness of a quarter is
  * in front of the north window, and dirt halves the light of the west window: shares 4
  * : 1 : 2. */
@@ -192,6 +207,19 @@ static void wrong_names_are_refused(void **state)
     assert_string_equal(choice.list[0]->name, "doe2");
 }
 
+/* Public sources give no coefficients of the lumen method hour by hour. The message says
+ * so, instead of listing other names only. */
+static void hourly_lumen_method_is_refused_with_its_reason(void **state)
+{
+    (void)state;
+    struct pp_year_methods_choice choice;
+    struct pp_error err = {0};
+    assert_int_equal(pp_year_method_choose(&choice, "doe2,lumen", &err), PP_BAD_INPUT);
+    assert_non_null(strstr(err.message, "public sources do not give the coefficients"));
+    assert_int_equal(pp_year_method_choose(&choice, "lumen-one", &err), PP_BAD_INPUT);
+    assert_non_null(strstr(err.message, "lumen-one is not available for the year"));
+}
+
 /* A file without cloud cover leaves doe2 without figures, but not the other methods. */
 static void doe2_needs_the_cloud_cover(void **state)
 {
@@ -220,10 +248,12 @@ TEST_FILE
         cmocka_unit_test(clear_hours_at_a_node_are_those_of_doe2),
         cmocka_unit_test(single_clear_hours_are_those_of_monthly_methods),
         cmocka_unit_test(orientation_factor_follows_the_facade),
+        cmocka_unit_test(overcast_sky_of_four_skies_is_that_of_moon_and_spencer),
         cmocka_unit_test(orientations_count_by_the_light_that_their_windows_pass),
         cmocka_unit_test(rule_scales_diffuse_light_by_orientation),
         cmocka_unit_test(type_1_gives_less_light_to_the_back_of_the_room),
         cmocka_unit_test(wrong_names_are_refused),
+        cmocka_unit_test(hourly_lumen_method_is_refused_with_its_reason),
         cmocka_unit_test(doe2_needs_the_cloud_cover),
     };
     add_tests(tests, NULL, NULL);
