@@ -28,9 +28,9 @@ void pp_plan_figures_value(char *words, size_t room, const struct pp_plan_chart 
         *space = '\0';
 }
 
-/* Finds a box next to a mark, as near as possible, that does not cover anything, or
- * else covers only lines. Returns false if there is none. *on_lines: the box covers
- * lines. */
+/* Finds a box beside a mark that does not cover anything. If there is none, finds the
+ * nearest box, up to four times as far away, that covers nothing except lines;
+ * *on_lines is then true. Returns false if there is none. */
 static bool find_box(struct pp_box *box, bool *on_lines, const struct pp_labels *labels,
                      struct pp_box size, double x, double y, double off)
 {

@@ -23,7 +23,8 @@ bool pp_plan_figures_fit(cairo_t *cr, const struct pp_style *style,
 struct pp_plan_figure {
     struct pp_box box;
     bool placed;
-    bool on_lines; /* the value covers lines, since there is no other place */
+    bool on_lines; /* the value may cover lines, since there is no free place beside the
+                    * point */
 };
 
 /* Finds places for the values at the report's receivers. Registers these places and the

@@ -46,8 +46,8 @@ bool pp_labels_is_free(const struct pp_labels *labels, struct pp_box box);
 /* Owner of the marks of points. Unlike lines, marks are never covered. */
 enum { PP_LABEL_MARKS = 1000000 };
 
-/* True if a box is within the field and covers only lines. Lines have owners from 0 to
- * PP_LABEL_MARKS - 1. */
+/* True if a box is within the field and covers nothing except lines. Lines have owners
+ * from 0 to PP_LABEL_MARKS - 1. */
 bool pp_labels_covers_lines_only(const struct pp_labels *labels, struct pp_box box);
 
 /* Finds a position for a box next to one of the owner's places, where places of other
