@@ -202,7 +202,7 @@ static bool is_stood_in_for(const struct pp_report *report,
 
 /* Fills the table of daylight factors. external_lux: illuminance outside (lux); 0: no
  * columns of illuminance; lux_title: title of those columns; all_bands: bands for every
- * method; false: only for the first method. */
+ * method; false: only for the first method that has bands. */
 static bool fill_table(struct pp_table *table, const struct pp_report *report,
                        double external_lux, const char *lux_title, bool all_bands,
                        bool utf8)

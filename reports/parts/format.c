@@ -63,7 +63,7 @@ static int32_t decode(const char *text, int *length)
 }
 
 /* True for a control character (C0, DEL or C1), for a line or paragraph separator, and
- * for a code point that is not a character. */
+ * for -1, a byte that does not begin a character. */
 static bool is_unfit(int32_t code)
 {
     return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x2028

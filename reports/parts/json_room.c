@@ -165,8 +165,8 @@ static bool add_list(struct json_object *object, const char *key, int count,
 }
 
 /* Adds the areas of the floor, of all internal surfaces, of the openings and of their
- * glass. Also adds the area-weighted mean reflectance of the surfaces without openings,
- * and the height of the room. */
+ * glass. Also adds the mean reflectance of the surfaces, weighted by their areas less
+ * openings, and the height of the room. */
 static bool add_sums(struct json_object *object, const struct pp_world *world)
 {
     double all_m2 = 0.0, reflecting_m2 = 0.0, opaque_m2 = 0.0;
