@@ -239,8 +239,9 @@ enum pp_status pp_scene_description_add_shape(struct pp_scene_description *scene
 
 /* ---- patterns ---- */
 
-/* Skies of skybright.cal [WS98], and Perez's of perezlum.cal [PSM93], with their symbols: gamma is the angle from the sun; zt
- * and eta are the zenith angles of the sun and of the direction.
+/* Skies of skybright.cal [WS98], and Perez's of perezlum.cal [PSM93], with their
+ * symbols: gamma is the angle from the sun; zt and eta are the zenith angles of the sun
+ * and of the direction.
  *
  *     clear         Lz (0.91 + 10 exp(-3 gamma) + 0.45 cos^2 gamma)
  *                      (1 - exp(-0.32 / cos eta)) / norm
@@ -291,7 +292,7 @@ double pp_scene_description_pattern_value(const struct pp_pattern *pattern,
                 return pattern->skylines[i].radiance;
         return pattern->factor * pp_sky_luminance(&pattern->sky, u);
     }
-    /* Mean of sky and ground weighted by tenth powers; the ground's weight is 0.5 at
+    /* Mean of sky and ground weighted by tenth powers; the ground's weight is 0.45 at
      * the horizon, 0.1 at 6 degrees, 3e-4 at 30. */
     double above = pow(u.z + 1.01, 10.0), below = 1.0 / above;
     double value =

@@ -6,8 +6,8 @@
  * integral over the room's surfaces of G(y) k(x, y), with k = cos cos' / (pi r2). Rays
  * of the lobe rarely meet small, distant and bright areas, such as the floor near the
  * window seen from the back of a room. A point in each cell always samples such areas.
- * Near the receiver, however, k is large and varies within a cell. The sum over the
- * cells, with A the area of a cell, is therefore taken of
+ * Near the receiver, however, k is large and varies within a cell. In the sum over the
+ * cells, whose terms are k A G with A the area of a cell, G is therefore replaced by
  *
  *     (G - g) / (1 + c k A)                                                         (1)
  *
@@ -50,8 +50,8 @@ void pp_gather_cells_draw(const struct pp_gather_cells *cells,
 /* True if the part has cells. From any point of such a part, all cells are visible. */
 bool pp_gather_cells_are_on(const struct pp_gather_cells *cells, int part);
 
-/* Sum (1) over cell points, divided by Eh, at a point in the room with normal
- * `normal`. */
+/* Sum over cell points of (1) times k A, divided by Eh, at a point in the room with
+ * normal `normal`. */
 double pp_gather_cells_taken(const struct pp_gather_cells *cells, const double *net,
                              struct pp_vec3 point, struct pp_vec3 normal);
 

@@ -36,8 +36,8 @@ enum pp_status pp_opening_table_init(struct pp_opening_table *table,
 void pp_opening_table_clear(struct pp_opening_table *table);
 
 /* A point of a patch, and a direction of a bin, each from two numbers in (0, 1).
- * pp_opening_table_direction returns false if the direction would be behind the
- * opening's plane. */
+ * pp_opening_table_direction returns false if the numbers give no direction (a corner
+ * of the square of bins, outside the unit circle). */
 struct pp_vec3 pp_opening_table_point(const struct pp_opening_table *table,
                                       const struct pp_target *target, int patch,
                                       double u, double v);

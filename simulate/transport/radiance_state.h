@@ -26,7 +26,8 @@ struct pp_radiance_options {
                          * except Russian roulette, which has no bias */
     bool ground_counts; /* reflections by the ground count as bounces */
     double least;       /* throughput below which Russian roulette begins, above 0;
-                         * after gloss, mirror and clear glass, a tenth of this value */
+                         * after gloss, mirror, clear glass and the ground, a tenth
+                         * of this value */
 };
 
 /* All estimators on, no limit on bounces; unbiased except for `stored`. Source size

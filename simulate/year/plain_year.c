@@ -26,7 +26,7 @@ struct event_list {
     int count, capacity;
     struct kept_event {
         enum { MET_SKY, MET_COLUMN, MET_SUN, MET_PANE } kind;
-        int group;  /* group of the opening through which the path left; -1 for a sun */
+        int group;  /* group of the opening through which the path left; 0: none */
         int column; /* column of light, for ground and skylines */
         double weight;
         struct pp_vec3 u;       /* direction of sky */

@@ -331,7 +331,8 @@ static enum pp_status follow_panes(struct batch_work *work, struct pp_error *err
                 pp_year_path_lobe(&work->walk, &sink, &at);
         }
         status = end_row(work, rows, err);
-        /* Adds light that enters again through any opening. */
+        /* Adds the columns of all groups: some paths end outside only after passing the
+         * room, through an opening of any group. */
         const struct pp_sparse_rows *D = &rows[PP_YEAR_ROWS_D];
         for (int k = D->first[g]; status == PP_OK && k < D->first[g + 1]; k++) {
             int column = D->entries[k].column % pp_year_solve_columns(task);

@@ -268,8 +268,8 @@ int pp_year_cells_of(const struct pp_year_cells *cells, const struct pp_light_hi
            + pp_cell_cuts_piece(square->cuts, square->cut_count, at);
 }
 
-/* True if a point of a surface is in the room: neither in an opening, nor behind a
- * door or dado, nor under furniture. */
+/* True if a point is on the surface, neither in an opening nor behind a door or
+ * dado. */
 static bool is_open_surface(const struct pp_year_cells *cells, int surface,
                             struct pp_vec3 place)
 {

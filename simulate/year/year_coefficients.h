@@ -24,8 +24,9 @@ struct pp_year_coefficient_options {
     uint64_t seed;
     const struct pp_year_stores *stores; /* NULL: none */
 
-    /* Called between two batches by the thread that called the function. done: fraction
-     * of the batches that are done. Return false to stop. NULL: never stops. */
+    /* Called between the rows of a batch, by the thread that called the function. done:
+     * fraction of the batches that are done. Return false to stop. NULL: never
+     * stops. */
     bool (*goes_on)(void *data, double done);
     void *data;
 };
@@ -81,8 +82,8 @@ enum pp_status pp_year_coefficients_sun(const struct pp_year_coefficients *coeff
                                         int first, int count, float *sun,
                                         struct pp_error *err);
 
-/* Relative standard error of a point's simulated light, under a uniform sky and with
- * equal sunlight on all cells. This estimate needs no hours; 0 without light. */
+/* Relative standard error of a point's simulated light for equal values in all columns
+ * of light, without sunlight. This estimate needs no hours; 0 without light. */
 double pp_year_coefficients_spread(const struct pp_year_coefficients *coefficients,
                                    int receiver);
 

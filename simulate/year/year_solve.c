@@ -13,8 +13,8 @@ int pp_year_solve_columns(const struct pp_year_task *task)
 }
 
 enum { BLOCK = 8, TERMS_MOST = 400 };
-static const double LAST_TERM = 1e-5; /* terms below this fraction of the sum are
-                                       * dropped */
+static const double LAST_TERM = 1e-5; /* the series ends with the first term below
+                                       * this fraction of the sum */
 
 typedef float block_row[BLOCK];
 typedef float block_lanes __attribute__((vector_size(sizeof(block_row))));

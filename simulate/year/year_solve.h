@@ -18,8 +18,8 @@ enum pp_year_rows {
  * classes of light that leaves scattering panes and, last, the panes as emitters. */
 int pp_year_solve_columns(const struct pp_year_task *task);
 
-/* Fills light, outdoor, inside and by_pane of the batch. of_cells, of_points: by
- * pp_year_rows. */
+/* Fills light, outdoor, inside, classes and by_pane of the batch. of_cells, of_points:
+ * by pp_year_rows. */
 enum pp_status pp_year_solve(struct pp_year_batch *batch,
                              const struct pp_year_task *task,
                              const struct pp_sparse_rows of_cells[PP_YEAR_ROWS_COUNT],

@@ -33,7 +33,8 @@
 /* Everything that the coefficients of a room depend on, and its name for messages. */
 struct pp_year_origin {
     int room;  /* its number in the command, from 0 */
-    int state; /* of its windows: 0 open, 1 with their devices */
+    int state; /* of its windows: 0 open, 1 with their devices, 2 open with trees
+                * without leaves */
     char name[64];
     uint64_t scene, light, points, groups; /* hashes */
     double north_rad;
@@ -57,10 +58,10 @@ enum pp_status pp_year_store_create(struct pp_year_store **store, FILE *file,
                                     struct pp_error *err);
 void pp_year_store_destroy(struct pp_year_store *store); /* NULL is allowed */
 
-/* PP_BAD_INPUT if the store has the room and state with another origin: the message names the first
- * difference. The number of paths may differ, except for PP_YEAR_STORE_READ, if *paths is
- * not 0; if it is 0, *paths becomes that of the store. A store to read must have all
- * randomisations, or none of a state other than open. */
+/* PP_BAD_INPUT if the store has the room and state with another origin: the message
+ * names the first difference. The number of paths may differ, except for
+ * PP_YEAR_STORE_READ, if *paths is not 0; if it is 0, *paths becomes that of the store.
+ * A store to read must have all randomisations, or none of a state other than open. */
 enum pp_status pp_year_store_check(const struct pp_year_store *store,
                                    const struct pp_year_origin *origin, int *paths,
                                    struct pp_error *err);

@@ -51,7 +51,8 @@ static enum pp_status make_tables(struct pp_annual_work *work, struct pp_error *
     return pp_annual_point_make_spaces(work, err);
 }
 
-/* Largest relative standard error of the annual light of a point, with the mean sky. */
+/* Largest relative standard error of a point's simulated light
+ * (pp_year_coefficients_spread). */
 static double worst_error(const struct pp_annual_work *work)
 {
     double worst = 0.0;
@@ -135,8 +136,9 @@ static enum pp_status see_state(struct pp_annual_work *work,
     return pp_annual_work_for_points(work, 1, pp_annual_direct_see, err);
 }
 
-/* Traces a closed state with as many paths as the open one. States of slats that follow the
- * sun are not stored, as another year needs others of them. */
+/* Traces a closed state with as many paths as the open one. States with a world of
+ * their own (slats turned to the sun, or trees of one season) are not stored, since
+ * another year needs other such states. */
 static enum pp_status trace_closed(struct pp_annual_work *work,
                                    struct pp_annual_state *state, struct pp_error *err)
 {
@@ -151,7 +153,7 @@ static enum pp_status trace_closed(struct pp_annual_work *work,
                : status;
 }
 
-/* Calculates the room without leaves on the trees, and open windows. */
+/* Calculates the room with open windows, without leaves on the trees. */
 static enum pp_status see_bare(struct pp_annual_work *work, struct pp_error *err)
 {
     double ended = SEEN * work->scale;

@@ -41,7 +41,8 @@ struct pp_annual_options {
     double illuminances_lx[PP_ANNUAL_ILLUMINANCES_MOST];
     int patches;  /* 145, 577 or 2305 */
     int samples;  /* paths per point in each randomisation; 0: by error */
-    double error; /* largest standard error over a point's annual light; 0: not set */
+    double error; /* target for the largest relative standard error of a point's
+                   * light; 0: not set */
     enum pp_blinds blinds;
     const unsigned char *schedule; /* by record of the year: 1 closed, 0 open; not
                                     * owned */

@@ -1,9 +1,9 @@
 /* annual_closed.c - the states of a year's closed windows: one with devices as they are
  * drawn, and some with slats that follow the sun at angles of equal steps.
  *
- * The light of the sky through slats that follow the sun is interpolated between the two
- * nearest angles. Light of the sun needs no interpolation, as every state has that of the
- * slats at their own angle (model/light/slats/blind_follow.h).
+ * The light of the sky through slats that follow the sun is interpolated between the
+ * two nearest angles. Light of the sun needs no interpolation: every state calculates
+ * it for the slats at their exact angle (model/light/slats/blind_follow.h).
  */
 #include <math.h>
 #include <stdlib.h>
@@ -78,8 +78,8 @@ static enum pp_status share_drawn(struct closed_plan *plan, int group)
     return status;
 }
 
-/* An open group without a device is taken from the states of the first closed group, whose
- * blinds reflect its light. */
+/* The light of an open group without a device is that of the states of the first closed
+ * group, whose blinds reflect this light. */
 static enum pp_status share_open(struct closed_plan *plan, int group)
 {
     const struct pp_annual_work *work = plan->work;

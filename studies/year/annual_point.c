@@ -15,7 +15,7 @@ struct pp_annual_space {
     float *sun;     /* the part of suns of the current point */
     float *open;    /* [batch][step]: all light */
     float *blinds;  /* [point of the block][batch][step]: all light with blinds */
-    float *sums[5]; /* by hour: means over all batches, or over all but one */
+    float *sums[5]; /* by hour: means over all batches */
     float *rank;
     double parts[2][PP_YEAR_BATCHES]; /* light of the year, lx h: of the sky, of sunlit
                                        * surfaces */

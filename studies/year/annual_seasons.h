@@ -10,7 +10,8 @@
 
 #include "studies/year/annual_work.h"
 
-/* Sets the worlds of the open states; work->open.world is that of all seasons before. */
+/* Sets the worlds of the open states. Before, work->open.world is the world without a
+ * season. */
 enum pp_status pp_annual_seasons_plan(struct pp_annual_work *work,
                                       struct pp_error *err);
 void pp_annual_seasons_clear(struct pp_annual_work *work);

@@ -11,7 +11,8 @@
 
 enum { CELLS = 600 };
 
-/* Largest pieces of sky, a third of the patches: 1.7 degrees. */
+/* Largest size of a piece of sky: 1.7 degrees, about a third of the width of one of 577
+ * patches. */
 static const double PIECE_RAD = 0.03;
 
 /* True if a group takes light of the state in that hour of the year. */

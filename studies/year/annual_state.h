@@ -16,7 +16,8 @@
 
 struct pp_annual_state {
     const struct pp_world *world; /* not owned */
-    struct pp_world *turned;      /* the same, with slats turned; owned; NULL: none */
+    struct pp_world *turned;      /* copy of the world with slats turned, or with
+                                   * trees in one season; owned; NULL: none */
     int count;                    /* number of hours */
     int *hours;                   /* the year's sky of each hour; owned */
     struct pp_perez_sky *skies;   /* in the room's axes; owned */

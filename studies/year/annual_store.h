@@ -6,10 +6,9 @@
 #include "studies/year/annual_work.h"
 
 /* Sets the stores of the options, and the origin of the coefficients of a state, except
- * for its number of paths.
- * *samples: paths per point, as in pp_annual_options; it becomes that of a store to read.
- * PP_BAD_INPUT if a store has the room and state with another origin, or if a store to read does not
- * have all of it. */
+ * for its number of paths. *samples: paths per point, as in pp_annual_options; it
+ * becomes that of a store to read. PP_BAD_INPUT if a store has the room and state with
+ * another origin, or if a store to read does not have all randomisations. */
 enum pp_status pp_annual_store_begin(struct pp_year_stores *stores,
                                      const struct pp_annual_work *work,
                                      const struct pp_annual_state *state, int *samples,

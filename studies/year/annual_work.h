@@ -38,7 +38,7 @@ struct pp_annual_work {
     float *on_panes;       /* [group][batch][step], lx outside */
     double *without;       /* [receiver][batch][figure]: figures without that
                                    * batch */
-    double scale;          /* on the shares of the steps with open windows */
+    double scale;          /* factor on the shares of the steps with open windows */
     double begun, ended;   /* share of the whole before and after the current
                                    * step */
     pp_thread_pool_work *function; /* of each block of points */
@@ -81,9 +81,10 @@ enum pp_status pp_annual_closed_plan(struct pp_annual_work *work, struct pp_erro
 /* True if the group has a device of its own. */
 bool pp_annual_direct_has_device(const struct pp_annual_work *work, int group);
 
-/* Number of points in a block: the light of a block takes 40 MB at most,
- * with any number of groups of openings. Allocates space for the hours of a block, for
- * each worker; computes hours and figures of the points of a block. (annual_point.c) */
+/* Number of points in a block: the light of a block takes 40 MB at most, with any
+ * number of groups of openings (80 MB if trees lose their leaves). Allocates space for
+ * the hours of a block, for each worker; computes hours and figures of the points of a
+ * block. (annual_point.c) */
 int pp_annual_point_block_size(int groups);
 enum pp_status pp_annual_point_make_spaces(struct pp_annual_work *work,
                                            struct pp_error *err);

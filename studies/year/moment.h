@@ -62,7 +62,8 @@ enum pp_status pp_moment_of_standard(struct pp_moment *moment,
  * standard sky. */
 struct pp_moment_source {
     const char *when;                   /* as typed; NULL: no time is given */
-    const struct pp_weather_year *year; /* not owned; NULL: irradiances */
+    const struct pp_weather_year *year; /* not owned; NULL: irradiances or a standard
+                                         * sky */
     struct pp_moment_irradiances of;    /* contains the time, also for a weather file;
                                          * the place in it is not used */
     struct pp_moment_standard standard; /* instead of irradiances, if it has a name */
@@ -73,7 +74,8 @@ enum pp_status pp_moment_at(struct pp_moment *moment,
                             const struct pp_moment_source *source,
                             const struct pp_world *world, struct pp_error *err);
 
-/* Turns the slats of a room's blinds that follow the sun. */
+/* Turns the slats of a room's blinds that follow the sun, and sets the season of its
+ * trees. */
 enum pp_status pp_moment_turn_slats(struct pp_world *world,
                                     const struct pp_moment *moment,
                                     struct pp_error *err);

@@ -9,7 +9,7 @@
 enum { STEPS = 20, SHIFTS = 2 * STEPS + 1 };
 
 /* The balance counts as closed if the difference is below CLOSES_W_M2. A shift counts
- * if it is at least SHIFT_H and halves the difference. */
+ * if it is above SHIFT_H and more than halves the difference. */
 static const double CLOSES_W_M2 = 50.0, SHIFT_H = 0.1;
 
 int pp_sun_closure_year(const struct pp_epw *epw)

@@ -64,8 +64,8 @@ enum pp_status pp_weather_year_of_epw(struct pp_weather_year *year,
 void pp_weather_year_clear(struct pp_weather_year *year);
 
 /* The sky at a moment of the file, given by date and clock time (h): the sky of the
- * record that contains the moment. PP_BAD_INPUT if there is no such record, or if its
- * sky is unknown. */
+ * record that contains the moment. PP_BAD_INPUT if there is no such record, or if it is
+ * dark or unknown. */
 enum pp_status pp_weather_year_moment(struct pp_perez_sky *sky,
                                       const struct pp_weather_year *year,
                                       struct pp_month_day date, double clock_h,

@@ -136,8 +136,8 @@ static double median_of(const struct pp_year_values *values,
                : 0.0;
 }
 
-/* Adds up all figures in one pass, since a pass takes the time of its additions, which
- * wait for each other in a single sum. A factor 0 or 1 takes less time than a branch. */
+/* Adds up all figures in one pass: additions to one sum wait for each other, but those
+ * to several sums overlap. A factor 0 or 1 takes less time than a branch. */
 void pp_year_metrics_of(struct pp_annual_figures *figures,
                         const struct pp_year_values *values,
                         const struct pp_year_clock *clock,

@@ -202,7 +202,7 @@ static const struct pp_angle_basis *basis_of(const struct pp_measured_pane *pane
     return pp_angle_basis_is_same(&way->in, &way->out) ? &way->in : NULL;
 }
 
-/* FNV-1a of all data that simulations use. */
+/* FNV-1a. */
 static uint64_t hash_bytes(uint64_t hash, const void *bytes, size_t count)
 {
     const unsigned char *at = bytes;

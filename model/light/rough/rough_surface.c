@@ -135,8 +135,8 @@ static void integrate_angle(struct pp_rough_surface *surface,
         share[k] /= share[RADII];
 }
 
-/* Radii from a quarter of the narrowest lobe's width (m = 1) at the centre, then in
- * nearly constant proportion. */
+/* Radii in nearly equal steps up to half the width l / (pi T) of the narrowest lobe,
+ * that of m = 1; then in nearly constant proportion. */
 static void place_radii(struct pp_rough_surface *surface)
 {
     const struct pp_rough_optics *optics = &surface->optics;

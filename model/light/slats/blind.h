@@ -52,7 +52,8 @@ struct pp_blind {
     int holders;             /* number of openings that share it */
 
     /* Of slats that follow the sun (blind_follow.h): */
-    struct pp_blind *for_sun; /* its light of the sun; held; NULL: these slats */
+    struct pp_blind *for_sun; /* the blind for light of the sun, released with this
+                               * one; NULL: this one */
     double straight_of_sun[PP_BLIND_SUNS + 1]; /* of such a blind for the sun, by p */
 };
 
