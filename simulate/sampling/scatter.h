@@ -64,7 +64,8 @@ struct pp_rgb pp_scatter_regular_transmittance(const struct pp_material *materia
                                                double cos_incidence);
 
 /* Regular transmittance of any material, including scattering panes, for light that
- * leaves towards `eye`. n: the normal on the eye's side. */
+ * leaves towards `eye`. If the pane has a state for sunlight (for_sun), that state
+ * counts. n: the normal on the eye's side. */
 struct pp_rgb pp_scatter_straight(const struct pp_material *material, struct pp_vec3 n,
                                   struct pp_vec3 eye);
 

@@ -21,7 +21,7 @@ bool pp_round_meet(const struct pp_shape *shape, struct pp_vec3 p, struct pp_vec
 /* Unit normal of the front at a point of the shape. */
 struct pp_vec3 pp_round_normal(const struct pp_shape *shape, struct pp_vec3 point);
 
-/* Bounding box of the shape, tight except at a cone's ends. */
+/* Tight bounding box of the shape. */
 struct pp_bounds3 pp_round_bounds(const struct pp_shape *shape);
 
 double pp_round_area(const struct pp_shape *shape);

@@ -15,8 +15,7 @@ enum {
     MOST_BOUNCES = 1 << 14, /* for scenes without absorption */
     /* most bounces up to the first scattering surface, for a path that splits there */
     FIRST_FEW = 3,
-    /* Directions from the ground if it scatters first, as a multiple of
-     * options.source_most. */
+    /* Directions from the ground if it scatters first, times source_most. */
     GROUND_DIRECTIONS = 4,
     /* Directions of a strong gloss that is the first surface that scatters. At 16 paths
      * per pixel a polished floor has a noise of 3.8 % (4 directions: 9.3 %). */

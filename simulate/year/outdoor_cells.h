@@ -16,8 +16,8 @@
 enum { PP_OUTDOOR_SLOTS = 1024 };
 
 struct pp_outdoor_cells {
-    double reach_m; /* size of the room; cubes up to twice this distance are a third
-                     * of it wide */
+    double reach_m; /* half the longest side of the room, at least 1 m; cubes up to
+                     * twice this distance are a third of it wide */
     int count, most;
     struct pp_lit_point *points;      /* by cell; not owned */
     double weights[PP_OUTDOOR_SLOTS]; /* by cell */

@@ -44,7 +44,8 @@ enum pp_sky_sampling {
 };
 
 /* A photographed sky. The caller sets frames, frame_count, horizon_rad, fill_cd_m2,
- * sampling, lamps, sun_lx and sun; pp_sky_picture_settle sets all other members. */
+ * sampling, lamps, sun_lx, sun and title; pp_sky_picture_settle sets all other
+ * members. */
 struct pp_sky_picture {
     struct pp_sky_frame frames[2]; /* the picture owns their pixels */
     int frame_count;
@@ -69,7 +70,7 @@ struct pp_sky_picture {
     int holders;     /* see pp_sky_picture_release */
 };
 
-/* Calculates the members after `sun`. measured_lx: horizontal illuminance (lx; NAN:
+/* Calculates the members after `title`. measured_lx: horizontal illuminance (lx; NAN:
  * none), with the measured sun, to which pixels are scaled. PP_BAD_INPUT if a pixel is
  * negative or not finite, the sky gives no light, or the sun alone gives measured_lx or
  * more. */

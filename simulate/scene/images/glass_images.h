@@ -51,7 +51,7 @@ struct pp_glass_view {
 
 /* Samples a direction from the point to an image, by three numbers in (0, 1). Also sets
  * the density per steradian, which includes the probability of the choice. Returns the
- * image's number; -1: none is visible. */
+ * image's number; -1: none is visible, or the direction misses the image. */
 int pp_glass_images_sample(const struct pp_light_scene *scene,
                            struct pp_glass_view *view, struct pp_vec3 point,
                            struct pp_vec3 normal, struct pp_brightness brightness,

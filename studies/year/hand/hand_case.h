@@ -47,11 +47,11 @@ enum pp_status pp_hand_case_init(struct pp_hand_case *of, const struct pp_world 
                                  enum pp_standard_sky overcast, struct pp_error *err);
 void pp_hand_case_clear(struct pp_hand_case *of);
 
-/* Mean over the openings, by the area of their glass times its diffuse transmittance,
- * of a value that depends on the orientation of a facade: facing the equator, east, the
- * pole, west. Between these orientations the value is interpolated linearly in the
- * bearing. NAN for a room with an opening that slopes less than 45 degrees, or without
- * openings. */
+/* Mean over the openings, by the area of their panes times their corrections for glass,
+ * frame and dirt (pp_allowance_factor), of a value that depends on the orientation of a
+ * facade: facing the equator, east, the pole, west. Between these orientations the
+ * value is interpolated linearly in the bearing. NAN for a room with an opening that
+ * slopes less than 45 degrees, or without openings. */
 double pp_hand_case_by_facade(const struct pp_hand_case *of, const double values[4]);
 
 /* Index of the orientation with the largest part of this weight: 0 equator, 1 east, 2
