@@ -17,6 +17,10 @@ static const double fejer[NODES] = {
  * pole at this distance beside it. The error is about (k + sqrt(k^2 + 1))^-8. */
 static const double FAR = 8.0, FAR_ROUGH = 2.0;
 
+/* A rectangle up to this many times nearer is divided until its parts are far enough: a
+ * few rectangles take less time than quadrature. */
+static const double DIVIDED = 4.0;
+
 struct pp_bounds2 pp_pane_rectangle_around(const struct pp_pane_cell_seen *seen,
                                            const struct pp_visible *visible,
                                            struct pp_vec3 normal)
@@ -62,8 +66,9 @@ static struct pp_vec3 to_pane(const struct pp_pane_cell_seen *seen, double x, do
     return pp_vec_along(pp_vec_along(v, x, seen->plane.along), y, seen->plane.up);
 }
 
+/* True if the part is farther than `reach` times half its longer side. */
 static bool is_far(const struct pp_pane_cell_seen *seen, const struct pp_bounds2 *part,
-                   bool rough)
+                   double reach)
 {
     double half_m = 0.0, square = seen->distance_m * seen->distance_m;
     for (int axis = 0; axis < 2; axis++) {
@@ -71,8 +76,7 @@ static bool is_far(const struct pp_pane_cell_seen *seen, const struct pp_bounds2
         square += beside * beside;
         half_m = pp_max(half_m, (part->high[axis] - part->low[axis]) / 2.0);
     }
-    double reach_m = (rough ? FAR_ROUGH : FAR) * half_m;
-    return square > reach_m * reach_m;
+    return square > reach * half_m * reach * half_m;
 }
 
 /* True if the boxes overlap by more than a common border. */
@@ -158,20 +162,14 @@ static void values_of_part(double part[NODES][NODES], const double values[NODES]
         }
 }
 
-bool pp_pane_rectangle_add(struct pp_direct *sum, const struct pp_pane_cell_seen *seen,
-                           const struct pp_bounds2 *bounds,
-                           const struct pp_visible *visible, struct pp_vec3 normal)
+/* Adds the light of the part by the rule. */
+static void add_by_rule(struct pp_direct *sum, const struct pp_pane_cell_seen *seen,
+                        const struct pp_bounds2 *part, struct pp_vec3 normal)
 {
     const struct pp_pane_cell *cell = seen->cell;
-    struct pp_bounds2 part = part_within(seen, bounds);
-    if (!(part.low[0] < part.high[0] && part.low[1] < part.high[1]))
-        return true; /* no part of the cell is visible */
-    if (!is_far(seen, &part, sum->rough)
-        || !is_seen_whole(seen, &part, visible, normal))
-        return false;
     double at[2][NODES], weights[2][NODES][NODES];
-    bool same = nodes_along(at[0], weights[0], seen, &part, 0);
-    same = nodes_along(at[1], weights[1], seen, &part, 1) && same;
+    bool same = nodes_along(at[0], weights[0], seen, part, 0);
+    same = nodes_along(at[1], weights[1], seen, part, 1) && same;
     double own[2][NODES][NODES];
     const double(*sky)[NODES] = cell->sky, (*external)[NODES] = cell->external;
     if (!same) {
@@ -190,8 +188,40 @@ bool pp_pane_rectangle_add(struct pp_direct *sum, const struct pp_pane_cell_seen
             sums[0] += weight * sky[i][k];
             sums[1] += weight * external[i][k];
         }
-    double quarter = (part.high[0] - part.low[0]) * (part.high[1] - part.low[1]) / 4.0;
+    double quarter =
+        (part->high[0] - part->low[0]) * (part->high[1] - part->low[1]) / 4.0;
     sum->sky += quarter * seen->distance_m * sums[0];
     sum->external += quarter * seen->distance_m * sums[1];
+}
+
+/* Adds the light of the part, divided in the middle of its longer side until all parts
+ * are farther than `reach`. */
+static void add_divided(struct pp_direct *sum, const struct pp_pane_cell_seen *seen,
+                        const struct pp_bounds2 *part, struct pp_vec3 normal,
+                        double reach)
+{
+    if (is_far(seen, part, reach)) {
+        add_by_rule(sum, seen, part, normal);
+        return;
+    }
+    struct pp_bounds2 lower = *part, upper = *part;
+    int axis = part->high[0] - part->low[0] < part->high[1] - part->low[1];
+    lower.high[axis] = upper.low[axis] = (part->low[axis] + part->high[axis]) / 2.0;
+    add_divided(sum, seen, &lower, normal, reach);
+    add_divided(sum, seen, &upper, normal, reach);
+}
+
+bool pp_pane_rectangle_add(struct pp_direct *sum, const struct pp_pane_cell_seen *seen,
+                           const struct pp_bounds2 *bounds,
+                           const struct pp_visible *visible, struct pp_vec3 normal)
+{
+    struct pp_bounds2 part = part_within(seen, bounds);
+    double reach = sum->rough ? FAR_ROUGH : FAR;
+    if (!(part.low[0] < part.high[0] && part.low[1] < part.high[1]))
+        return true; /* no part of the cell is visible */
+    if (!is_far(seen, &part, reach / DIVIDED)
+        || !is_seen_whole(seen, &part, visible, normal))
+        return false;
+    add_divided(sum, seen, &part, normal, reach);
     return true;
 }

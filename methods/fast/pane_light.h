@@ -12,14 +12,12 @@
 /* Tables of an opening (pane_tables.h makes them); not owned. */
 struct pp_pane_light {
     const struct pp_axial_table *glass; /* table of clear glass; NULL: other glass */
-    const struct pp_axial_table
-        *gradation;                 /* table about the zenith for a sky of ISO 15469
-                                     * that does not depend on the sun; NULL: another
-                                     * sky */
+    /* Table about the zenith for a sky of ISO 15469 that does not depend on the sun; NULL:
+     * another sky. */
+    const struct pp_axial_table *gradation;
     const struct pp_sky_table *sky; /* NULL: not created, or not needed */
-    const struct pp_projection
-        *sky_axes; /* axes of the table of the sky; NULL: those of
-                                           * each view */
+    /* Axes of the table of the sky; NULL: those of each view. */
+    const struct pp_projection *sky_axes;
 };
 
 /* Part of a view: a patch within half-spaces (room's axes), for a receiver whose normal

@@ -93,6 +93,25 @@ static void every_square_of_an_uneven_pane_counts_by_its_own_light(void **state)
     pp_world_destroy(world);
 }
 
+/* Close to the pane, cells at 0.5 to 2 times half their longer side are integrated by
+ * quadrature for fine values, and as several rectangles for rough ones, to 1e-5. */
+static void divided_rectangles_agree_with_quadrature_near_the_pane(void **state)
+{
+    (void)state;
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, ROOM "</room>");
+    for (int i = 0; i < 4; i++) {
+        struct pp_receiver receiver = {
+            .position = {0.5 + 0.4 * i, 0.04 * pow(2.2, i), 0.85},
+            .normal = i % 2 ? pp_vec(0.0, -0.6, 0.8) : pp_vec(0.0, 0.0, 1.0)};
+        struct pp_part fine = part_at(world, &light, receiver, false);
+        struct pp_part rough = part_at(world, &light, receiver, true);
+        assert_relative(rough.sky, fine.sky, 1e-5);
+        assert_relative(rough.external, fine.external, 1e-5);
+    }
+    pp_world_destroy(world);
+}
+
 /* The sky component of the pane at a receiver; plain: by quadrature of the sky. */
 static struct pp_part part_by(const struct pp_world *world,
                               const struct pp_outside_light *light, bool plain)
@@ -135,6 +154,7 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_square_of_an_uneven_pane_counts_by_its_own_light),
+        cmocka_unit_test(divided_rectangles_agree_with_quadrature_near_the_pane),
         cmocka_unit_test(a_table_of_the_sky_lights_the_pane_as_quadrature_does),
     };
     add_tests(tests, NULL, NULL);
