@@ -212,7 +212,8 @@ struct pp_shared_mesh {
 };
 
 /* Mesh outside the room: p = corner + R(rotate) scale q; q: point of the file, with z
- * up. */
+ * up. The mesh of an outline (read_outline.h) has x east and y north; it is rotated by
+ * the bearing of the room's y instead. */
 struct pp_mesh_part {
     struct pp_shared_mesh *file;
     char *path; /* as in the room file */
@@ -223,6 +224,7 @@ struct pp_mesh_part {
     bool y_is_up; /* the file has y up; its -z becomes y */
     double reflectance;
     const struct pp_finish *finish;
+    bool is_outline;
     bool is_of_site; /* given by the building, for all rooms */
     enum pp_site_state state;
     int line;

@@ -95,4 +95,21 @@ struct pp_rgb pp_sky_picture_colour(const struct pp_sky_picture *picture,
  * horizon, from the table of cells; within 1e-4. */
 double pp_sky_picture_on_plane(const struct pp_sky_picture *picture, struct pp_vec3 n);
 
+/* Direction (x east, y north, z up) of a position in a frame, in pixels from the left and
+ * the top; false outside the picture. */
+static inline bool pp_sky_picture_direction(const struct pp_sky_frame *frame, double x,
+                                            double y, struct pp_vec3 *to)
+{
+    double place[2] = {(x - frame->centre[0]) / frame->radius[0],
+                       (frame->centre[1] - y) / frame->radius[1]};
+    struct pp_vec3 own;
+    if (!pp_sky_projection_direction(frame->projection, frame->half_angle_rad, place,
+                                     &own))
+        return false;
+    *to =
+        pp_vec_along(pp_vec_along(pp_vec_scale(frame->right, own.x), own.y, frame->up),
+                     own.z, frame->toward);
+    return true;
+}
+
 #endif

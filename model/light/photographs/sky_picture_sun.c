@@ -11,29 +11,13 @@ enum { RINGS = 32, AROUND = 32 };
 
 /* ---- pixels ---- */
 
-/* Direction of a position in pixels from the left and the top; false outside the
- * picture. */
-static bool direction_of(const struct pp_sky_frame *frame, double x, double y,
-                         struct pp_vec3 *to)
-{
-    double place[2] = {(x - frame->centre[0]) / frame->radius[0],
-                       (frame->centre[1] - y) / frame->radius[1]};
-    struct pp_vec3 own;
-    if (!pp_sky_projection_direction(frame->projection, frame->half_angle_rad, place,
-                                     &own))
-        return false;
-    *to =
-        pp_vec_along(pp_vec_along(pp_vec_scale(frame->right, own.x), own.y, frame->up),
-                     own.z, frame->toward);
-    return true;
-}
-
 /* Solid angle of a pixel; 0 if a corner is outside the picture. */
 static double solid_angle_of(const struct pp_sky_frame *frame, int x, int y)
 {
     struct pp_vec3 corner[4];
     for (int i = 0; i < 4; i++)
-        if (!direction_of(frame, x + (i == 1 || i == 2), y + i / 2, &corner[i]))
+        if (!pp_sky_picture_direction(frame, x + (i == 1 || i == 2), y + i / 2,
+                                      &corner[i]))
             return 0.0;
     struct pp_vec3 across = pp_vec_cross(pp_vec_sub(corner[2], corner[0]),
                                          pp_vec_sub(corner[3], corner[1]));
@@ -81,9 +65,9 @@ static void add_to_cells(struct pp_sky_picture *picture,
         double dy = 2.0 * (i / FINE + 0.5) / FINE - 1.0;
         double share = 4.0 * (1.0 - fabs(dx)) * (1.0 - fabs(dy)) / (FINE * FINE);
         struct pp_vec3 to;
-        if (!direction_of(frame, x + 0.5 + dx, y + 0.5 + dy, &to))
-            direction_of(frame, x + 0.5, y + 0.5, &to);
-        add_to_cell(picture, to, share * lux);
+        if (pp_sky_picture_direction(frame, x + 0.5 + dx, y + 0.5 + dy, &to)
+            || pp_sky_picture_direction(frame, x + 0.5, y + 0.5, &to))
+            add_to_cell(picture, to, share * lux);
     }
 }
 

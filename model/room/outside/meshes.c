@@ -16,11 +16,12 @@ static const double near_pairs_most = 1e5;
 
 /* Converts a corner of the file to the room's axes. */
 static struct pp_vec3 mesh_corner_in_room(const struct pp_mesh_part *part,
-                                          struct pp_vec3 q)
+                                          double north_rad, struct pp_vec3 q)
 {
     if (part->y_is_up)
         q = pp_vec(q.x, -q.z, q.y);
-    q = pp_placement_turn(pp_vec_scale(q, part->scale), part->rotate_rad);
+    q = pp_placement_turn(pp_vec_scale(q, part->scale),
+                          part->is_outline ? north_rad : part->rotate_rad);
     return pp_vec_add(part->corner, q);
 }
 
@@ -47,14 +48,16 @@ static enum pp_status add_near(struct pp_resolver *r, const struct pp_mesh_part 
                                       .is_of_block = true,
                                       .is_of_site = part->is_of_site,
                                       .line = part->line};
-    return pp_build_free_surfaces_add(r, &surface, "mesh", err);
+    return pp_build_free_surfaces_add(r, &surface,
+                                      part->is_outline ? "outline" : "mesh", err);
 }
 
 static void say(struct pp_resolver *r, const struct pp_mesh_part *part,
                 const char *what)
 {
     char shown[64];
-    pp_mistakes_add(r->mistakes, part->line, "mesh: \"%s\" %s",
+    pp_mistakes_add(r->mistakes, part->line, "%s: \"%s\" %s",
+                    part->is_outline ? "outline" : "mesh",
                     pp_text_excerpt(shown, sizeof shown, part->path), what);
 }
 
@@ -72,8 +75,8 @@ static enum pp_status add_mesh_triangles(struct pp_resolver *r,
     for (int i = 0; i < mesh->triangle_count && status == PP_OK; i++) {
         struct pp_vec3 triangle[3];
         for (int k = 0; k < 3; k++) {
-            triangle[k] =
-                mesh_corner_in_room(part, mesh->corners[mesh->triangles[i][k]]);
+            triangle[k] = mesh_corner_in_room(part, r->world->north_rad,
+                                              mesh->corners[mesh->triangles[i][k]]);
             pp_bounds3_add(&made->bounds, triangle[k]);
         }
         /* Skips triangles below 1 mm2, which hide nothing. */

@@ -10,6 +10,7 @@
 #include "model/room/read/read_fitting.h"
 #include "model/room/read/read_material.h"
 #include "model/room/read/read_opening.h"
+#include "model/room/read/read_outline.h"
 #include "model/room/read/read_outside.h"
 #include "model/room/read/read_shape.h"
 #include "model/room/read/read_sky.h"
@@ -263,6 +264,7 @@ static void read_child(struct pp_reader *r, struct pp_room *room,
         {&pp_rule_block, pp_read_outside_block},
         {&pp_rule_surface, pp_read_outside_surface},
         {&pp_rule_mesh, pp_read_outside_mesh},
+        {&pp_rule_outline, pp_read_outline},
         {&pp_rule_garden, pp_read_outside_garden},
         {&pp_rule_furniture, pp_read_fitting_furniture},
         {&pp_rule_column, pp_read_fitting_column},

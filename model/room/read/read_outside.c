@@ -9,6 +9,7 @@
 #include "model/mesh/mesh_file.h"
 #include "model/room/read/block_shape.h"
 #include "model/room/read/element_form.h"
+#include "model/room/read/read_outline.h"
 
 void pp_read_outside_skyline(struct pp_reader *r, struct pp_room *room,
                              const struct pp_xml_element *e)
@@ -278,6 +279,10 @@ void pp_read_outside_stand_on_ground(struct pp_room *room)
             part->vertices.list[k].z += ground;
         part->is_on_ground = false;
     }
+    for (int i = 0; i < room->mesh_count; i++)
+        if (room->meshes[i].is_outline)
+            pp_read_outline_stand(&room->meshes[i].file->mesh,
+                                  ground - room->meshes[i].corner.z);
 }
 
 void pp_read_outside_surface(struct pp_reader *r, struct pp_room *room,

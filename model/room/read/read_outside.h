@@ -28,7 +28,8 @@ void pp_read_outside_trees(struct pp_reader *r, struct pp_room *room,
 void pp_read_outside_mesh(struct pp_reader *r, struct pp_room *room,
                           const struct pp_xml_element *e);
 
-/* Moves objects without a base to ground level, once the ground level is known. */
+/* Moves objects without a base to ground level, and extends outlines down to it, once
+ * the ground level is known. */
 void pp_read_outside_stand_on_ground(struct pp_room *room);
 
 #endif

@@ -135,6 +135,18 @@ struct pp_sky_form {
         *picture[PP_SKY_FORM_OPTIONS]; /* texts, by pp_sky_form_keys; NULL: not given */
 };
 
+/* Attributes of an outline that are read by sky_picture_file.h: the first ones of
+ * pp_sky_form_keys. */
+enum { PP_OUTLINE_FORM_OPTIONS = 7 };
+
+struct pp_outline_form {
+    const char *file, *name;
+    const char *picture[PP_OUTLINE_FORM_OPTIONS];
+    double x, y, z, distance_m;
+    struct pp_finish_value finish;
+    int state; /* enum pp_site_state */
+};
+
 struct pp_plan_form {
     double width_m, depth_m, height_m;
     int roof, ridge;  /* enum pp_roof, enum pp_ridge */
@@ -294,8 +306,8 @@ extern const struct pp_element_rule pp_rule_building, pp_rule_building_room,
     pp_rule_rooflight, pp_rule_opening, pp_rule_skyline, pp_rule_furniture,
     pp_rule_column, pp_rule_partition, pp_rule_door, pp_rule_dado, pp_rule_facade,
     pp_rule_garden, pp_rule_block, pp_rule_footprint, pp_rule_surface, pp_rule_mesh,
-    pp_rule_working_plane, pp_rule_wall, pp_rule_overhang, pp_rule_fin, pp_rule_balcony,
-    pp_rule_shelf, pp_rule_blind, pp_rule_screen, pp_rule_curtain, pp_rule_point,
-    pp_rule_line, pp_rule_grid, pp_rule_view, pp_rule_tree;
+    pp_rule_outline, pp_rule_working_plane, pp_rule_wall, pp_rule_overhang, pp_rule_fin,
+    pp_rule_balcony, pp_rule_shelf, pp_rule_blind, pp_rule_screen, pp_rule_curtain,
+    pp_rule_point, pp_rule_line, pp_rule_grid, pp_rule_view, pp_rule_tree;
 
 #endif

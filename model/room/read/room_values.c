@@ -9,6 +9,14 @@
 #include "model/room/room_use.h"
 #include "model/room/sky_words.h"
 
+const struct pp_value_kind pp_room_values_text = {
+    .reading = PP_VALUE_TEXT, .expected = "text without control characters"};
+const struct pp_value_kind pp_room_values_wall_name = {
+    .reading = PP_VALUE_NAME, .expected = "the name of a wall"};
+const struct pp_value_kind pp_room_values_face_name = {.reading = PP_VALUE_NAME,
+                                                       .expected = "a name"};
+const struct pp_value_kind pp_room_values_file_name = {
+    .reading = PP_VALUE_NAME, .expected = "the name of a file"};
 const struct pp_value_kind pp_room_values_coordinate = {
     PP_VALUE_NUMBER,
     "a number of metres from -100000 to 100000",

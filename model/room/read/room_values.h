@@ -21,7 +21,9 @@ extern const struct pp_value_kind pp_room_values_coordinate, pp_room_values_size
     pp_room_values_sky_type, pp_room_values_slat_angle, pp_room_values_slat_direction,
     pp_room_values_device_position, pp_room_values_refractive_index,
     pp_room_values_extinction, pp_room_values_wavelength, pp_room_values_roughness,
-    pp_room_values_correlation, pp_room_values_diffuse, pp_room_values_month;
+    pp_room_values_correlation, pp_room_values_diffuse, pp_room_values_month,
+    pp_room_values_text, pp_room_values_wall_name, pp_room_values_face_name,
+    pp_room_values_file_name;
 extern const struct pp_value_kind pp_room_values_peak; /* peak of a glazing-file */
 
 #endif

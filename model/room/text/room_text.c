@@ -139,18 +139,28 @@ enum pp_status pp_room_text_edit(char **changed, size_t *changed_length,
     return pp_fail_memory(err);
 }
 
-/* The name of the file that an element refers to; empty if there is none. */
-static struct pp_room_tag file_of(struct pp_room_tag tag)
+/* The first relative path behind `after` to a file that an element refers to; empty if
+ * there is none. */
+static struct pp_room_tag next_path(struct pp_room_tag tag, const char *after)
 {
     static const char *const elements[][2] = {{"mesh", "file"},
+                                              {"outline", "file"},
+                                              {"sky", "file"},
+                                              {"sky", "second"},
                                               {"room", "within"},
                                               {"window", "glazing-file"},
                                               {"rooflight", "glazing-file"},
                                               {"opening", "glazing-file"}};
-    for (size_t i = 0; i < sizeof elements / sizeof *elements; i++)
-        if (pp_room_tags_is_named(tag, elements[i][0]))
-            return pp_room_tags_attribute(tag, elements[i][1]);
-    return (struct pp_room_tag){tag.to, tag.to};
+    struct pp_room_tag first = {tag.to, tag.to};
+    for (size_t i = 0; i < sizeof elements / sizeof *elements; i++) {
+        if (!pp_room_tags_is_named(tag, elements[i][0]))
+            continue;
+        struct pp_room_tag path = pp_room_tags_attribute(tag, elements[i][1]);
+        if (path.from < path.to && path.from >= after && path.from < first.from
+            && *path.from != '/')
+            first = path;
+    }
+    return first;
 }
 
 enum pp_status pp_room_text_move(char **moved, size_t *moved_length, const char *text,
@@ -163,12 +173,12 @@ enum pp_status pp_room_text_move(char **moved, size_t *moved_length, const char 
     const char *at = text, *end = text + length;
     for (struct pp_room_tag tag = pp_room_tags_next(text, end); tag.from < end;
          tag = pp_room_tags_next(tag.to, end)) {
-        struct pp_room_tag file = file_of(tag);
-        if (file.from == file.to || *file.from == '/')
-            continue;
-        fwrite(at, 1, (size_t)(file.from - at), out);
-        pp_room_tags_put_escaped(out, way);
-        at = file.from;
+        struct pp_room_tag path = next_path(tag, tag.from);
+        for (; path.from < path.to; path = next_path(tag, path.to)) {
+            fwrite(at, 1, (size_t)(path.from - at), out);
+            pp_room_tags_put_escaped(out, way);
+            at = path.from;
+        }
     }
     fwrite(at, 1, (size_t)(end - at), out);
     bool failed = ferror(out);

@@ -30,7 +30,7 @@ enum pp_status pp_room_text_edit(char **changed, size_t *changed_length,
                                  const struct pp_text_edit *edits, int edit_count,
                                  struct pp_error *err);
 
-/* Puts `way` before the relative path of each mesh, for a room file that moves
+/* Puts `way` before the relative path of each file, for a room file that moves
  * (relative_path.h). The caller frees *moved. */
 enum pp_status pp_room_text_move(char **moved, size_t *moved_length, const char *text,
                                  size_t length, const char *way, struct pp_error *err);

@@ -135,6 +135,22 @@ static void an_element_is_given_by_itself(void **state)
     free(element);
 }
 
+/* Both pictures of a sky are found, in any order. */
+static void a_file_that_moves_finds_its_pictures_and_outlines(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "<room><sky second='b.hdr' type='picture' file='a.hdr'/><outline file='c.csv'/>"
+        "</room>";
+    char *moved;
+    size_t length;
+    assert_int_equal(
+        pp_room_text_move(&moved, &length, text, strlen(text), "../", NULL), PP_OK);
+    assert_string_equal(moved, "<room><sky second='../b.hdr' type='picture' "
+                               "file='../a.hdr'/><outline file='../c.csv'/></room>");
+    free(moved);
+}
+
 /* Only relative paths of meshes are changed: not absolute paths, other elements or
  * comments. Special characters in a folder's name are escaped. */
 static void a_file_that_moves_finds_its_meshes(void **state)
@@ -176,6 +192,7 @@ TEST_FILE
         cmocka_unit_test(several_edits_are_made_at_once),
         cmocka_unit_test(an_element_is_given_by_itself),
         cmocka_unit_test(a_file_that_moves_finds_its_meshes),
+        cmocka_unit_test(a_file_that_moves_finds_its_pictures_and_outlines),
     };
     add_tests(tests, NULL, NULL);
 }
