@@ -1,7 +1,7 @@
-# libpepperpot.awk HEADER ... - the names of the functions that headers declare, one a
-# line: what the shared library exports. Comments, preprocessor lines and bodies are
-# left out; of the rest, a declaration is what stands before a semicolon, and its name
-# is the word before the first parenthesis. Not static ones, not typedefs.
+# libpepperpot.awk HEADER ... - the names of the functions that headers declare, one per line, for
+# the exports of the shared library. Comments, preprocessor lines and bodies are left out. In the
+# rest, a declaration is the text before a semicolon, and its name is the word before the first
+# parenthesis. Static functions and typedefs are left out.
 
 function declared(statement,    name) {
     gsub(/[ \t]+/, " ", statement)
@@ -14,7 +14,7 @@ function declared(statement,    name) {
         print name
 }
 
-# What only C++ sees: the braces of extern "C".
+# Lines for C++ only: the braces of extern "C".
 /^#ifdef __cplusplus/ { cplusplus = 1 }
 cplusplus { if (/^#endif/) cplusplus = 0; next }
 

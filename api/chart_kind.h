@@ -75,8 +75,8 @@ struct pp_board_options {
                           * lines are drawn */
     bool inclined;       /* true if inclined_deg is given */
 
-    const char *window; /* line or wall of the window, for kinds that show one window;
-                         * NULL: the first vertical window */
+    const char *window; /* name, wall or line of the window (choose_window.h), for
+                         * kinds that show one window; NULL: the first one */
 };
 
 /* Options of a scale model. */

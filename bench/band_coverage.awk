@@ -1,15 +1,15 @@
-# band_coverage.awk - the tables of band_coverage.sh, from three sorts of lines, in any order of
-# rooms: rooms.csv of ordinary_rooms.awk; the CSV of `df --bands --simulate`, in files N.csv; and
-# the JSON of `df --advise`, in files N.json.
+# band_coverage.awk - the tables of band_coverage.sh, from three kinds of files, with the rooms in
+# any order: rooms.csv of ordinary_rooms.awk; the CSV of `df --bands --simulate`, in files N.csv;
+# and the JSON of `df --advise`, in files N.json.
 #
-# A figure is in its range if low <= truth <= high. Left out, and counted, are figures without a
-# range, truths below 0.005 %, and truths that the simulation knows to 3 % or worse. Ratios are of
-# (truth + 0.02 %), as they are behind the ranges.
+# A figure is in its range if low <= truth <= high. Left out, but counted, are figures without a
+# range, true values below 0.005 %, and true values with a standard error of more than 3 %. 0.02 %
+# is added to all values before ratios are formed, as in the fit of the ranges.
 
 function shifted(value) { return value + 0.02 }
 function magnitude(value) { return value < 0 ? -value : value }
 
-# values[1] to values[count] in order.
+# Sorts values[1] to values[count] in ascending order.
 function sort_up(values, count,    i, j, value) {
     for (i = 2; i <= count; i++) {
         value = values[i]
@@ -18,7 +18,7 @@ function sort_up(values, count,    i, j, value) {
     }
 }
 
-# The value that `share` of those in order do not exceed; between two by a straight line.
+# Quantile `share` (0 to 1) of sorted values, interpolated linearly.
 function quantile(values, count, share,    at, below) {
     at = 1 + share * (count - 1)
     below = int(at)
@@ -26,7 +26,7 @@ function quantile(values, count, share,    at, below) {
         values[below] + (at - below) * (values[below + 1] - values[below])
 }
 
-# ---- what is read ----
+# ---- input ----
 
 FNR == 1 {
     room = FILENAME
@@ -53,8 +53,8 @@ FILENAME ~ /rooms\.csv$/ {
 }
 
 FILENAME ~ /\.csv$/ {
-    gsub(/"[^"]*"/, "") # sentences hold commas
-    sub(/\r$/, "") # or the last number would be a text
+    gsub(/"[^"]*"/, "") # sentences contain commas
+    sub(/\r$/, "") # otherwise the last number would be a string
     split($0, field, ",")
     if (field[3] != "point" && field[3] != "average") next
     if (field[3] field[4] field[5] != place) {
@@ -78,7 +78,7 @@ FILENAME ~ /\.csv$/ {
     next
 }
 
-# The JSON of --advise has a key a line.
+# The JSON of --advise has one key per line.
 /^  "advice": \[/ { advice = 1; next }
 advice && /^  \]/ { advice = 0 }
 advice && /"of": / { of_points = /"points"/; next }
@@ -92,7 +92,7 @@ advice && /"corrected": / {
         for (i = 1; i <= found; i++) advise(advised_points[i], use, corrected[i])
 }
 
-# The numbers behind the colon of a line, in values[1] on; returns how many.
+# Stores the numbers after the colon of a line in values[1], values[2], ...; returns their count.
 function numbers(line, values) {
     sub(/^[^:]*:/, "", line)
     gsub(/[][,]/, " ", line)

@@ -1,9 +1,9 @@
 #!/bin/sh
-# band_coverage.sh PROGRAM [ROOM ...] - how often the truth, as `df --simulate` has it, is in the
-# likely ranges of hand figures, in the 300 ordinary rooms of tests/lib/ordinary_rooms.awk, or in
-# those of these numbers: every method at points and for averages, by regimes; and how far the
-# methods that `df --advise` names are off. Some two minutes. ERROR=0.4%: how well the truth is
-# known at the points. TRACE=FILE: every figure that is counted, a line each.
+# band_coverage.sh PROGRAM [ROOM ...] - how often the true value, from `df --simulate`, is in the
+# likely ranges of hand figures, in the 300 ordinary rooms of tests/lib/ordinary_rooms.awk or in the
+# rooms with these numbers: for every method, at points and for averages, by regimes; and the errors
+# of the methods that `df --advise` names. Takes about two minutes. ERROR=0.4%: target error of the
+# true values at the points. TRACE=FILE: writes every figure that is counted, one per line.
 set -eu
 LC_ALL=C
 export LC_ALL
@@ -23,7 +23,8 @@ trap 'rm -rf "$scratch"' EXIT
 ${AWK:-awk} -v folder="$scratch" -f "$here/../tests/lib/ordinary_rooms.awk"
 [ $# -gt 0 ] || set -- $(sed '1d; s/,.*//' "$scratch/rooms.csv")
 
-# figures NUMBER ROOM ...: of one room in $workers, from that NUMBER on.
+# figures NUMBER ROOM ...: calculates every $workers-th room of the list, beginning with the
+# NUMBER-th.
 figures() {
     number=$1
     shift

@@ -1,6 +1,6 @@
 #!/bin/sh
-# bench_serve.sh [REQUESTS] - requests per second that a warm server answers one after the other, and
-# CPU time for each. From the build's folder: srcdir=.. sh ../bench/bench_serve.sh
+# bench_serve.sh [REQUESTS] - requests per second that a warm server answers one after the other,
+# and CPU time for each. Run it in the build folder: srcdir=.. sh ../bench/bench_serve.sh
 . "$srcdir/tests/lib/tap.sh" >/dev/null
 . "$srcdir/tests/lib/cli.sh"
 . "$srcdir/tests/lib/served.sh"

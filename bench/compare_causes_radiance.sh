@@ -1,8 +1,8 @@
 #!/bin/sh
-# compare_causes_radiance.sh PROGRAM - what `PROGRAM compare` says of Radiance's rtrace with
-# poor settings in one room, and how much of the difference goes when they are set right,
-# as lines of Markdown. Some minutes; where Radiance is not on PATH, that is said, and
-# nothing is done.
+# compare_causes_radiance.sh PROGRAM - the causes that `PROGRAM compare` names for values by
+# Radiance's rtrace with poor settings in one room, and the part of the difference that disappears
+# when the settings are corrected, as lines of Markdown. Takes some minutes. If Radiance is not on
+# PATH, it only prints a note.
 set -eu
 LC_ALL=C
 export LC_ALL
@@ -47,14 +47,14 @@ sky() {
     echo 'front_sky source front_above 0 0 4 0 0 1 180'
     echo 'front_sky source front_below 0 0 4 0 0 -1 180'
 }
-pane 0.9802 >right_glass.rad # lets 0.90 through
-pane 0.9000 >wrong_glass.rad # the transmittance written for it
+pane 0.9802 >right_glass.rad # transmittance 0.90
+pane 0.9000 >wrong_glass.rad # the transmittance in place of the transmissivity
 sky -c >gensky.rad
 sky -u >uniform.rad
 awk '/^ground /{ exit } { print }' outside.rad >blocks.rad
 awk '{ $3 = 0.0005; print }' points.pts >floor.pts
 
-# values OPTIONS POINTS FILES: as CSV, at the points of the working plane.
+# values OPTIONS POINTS FILES: values by rtrace as CSV, at the points of the working plane.
 values() {
     options=$1
     points=$2
@@ -67,12 +67,12 @@ values() {
         paste -d' ' points.pts - | awk '{ print $1 "," $2 "," $3 "," $7 }'
 }
 
-# number KEY: of the last comparison.
+# number KEY: this number of the last comparison.
 number() {
     sed -n "s/^ *\"$1\": \([-0-9.e]*\),*/\1/p" found.json
 }
 
-# The difference that is left with all settings right.
+# The difference that remains with correct settings.
 values "-ab 12" points.pts right_glass.rad outside.rad sky.rad >right.csv
 "$pepperpot" compare -q -f json "$scratch/room.xml" right.csv >found.json
 right=$(number difference-rms)

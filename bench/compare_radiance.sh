@@ -1,9 +1,8 @@
 #!/bin/sh
-# compare_radiance.sh PROGRAM [SCENE ...] - error against processor time of PROGRAM's
-# `df --simulate` and of Radiance in the same rooms, as lines of Markdown. Scenes: deep,
-# street, triangles (a hundred thousand, as leaves before the window), balcony, well, attic,
-# classroom; all of them by default. Half an hour; where Radiance is not on PATH, that is said,
-# and nothing is done.
+# compare_radiance.sh PROGRAM [SCENE ...] - error against processor time of PROGRAM's `df
+# --simulate` and of Radiance in the same rooms, as lines of Markdown. Scenes: deep, street,
+# triangles (a hundred thousand, as leaves in front of the window), balcony, well, attic, classroom;
+# all of them by default. Takes half an hour. If Radiance is not on PATH, it only prints a note.
 set -eu
 LC_ALL=C
 export LC_ALL
@@ -25,7 +24,7 @@ done
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-# ---- the rooms, with as many points as are timed ----
+# ---- the rooms, with the points that are timed ----
 
 points() { # COLUMNS ROWS WIDTH DEPTH: a grid over a plan
     awk -v n="$1" -v m="$2" -v w="$3" -v d="$4" 'BEGIN {
@@ -40,7 +39,7 @@ deep_office() {
 <working-plane height="0.85"/>'
 }
 
-leaves() { # 100,000 of them, as trees before the window
+leaves() { # 100,000 triangles, as trees in front of the window
     awk 'BEGIN { srand(1)
         for (i = 0; i < 100000; i++) {
             x = 23 * rand() - 10; y = -3 - 17 * rand(); z = 8 * rand()
@@ -138,8 +137,8 @@ glazing=\"clear-double\" frame-factor=\"0.8\" reveal=\"0.2\"/>"
     echo '</room>'
 }
 
-# choices SCENE: numbers of -ad for paths without a cache; every how many points are compared;
-# rays of the reference.
+# choices SCENE: sets the numbers of -ad for paths without a cache, the step from one compared point
+# to the next, and the rays of the reference.
 choices() {
     few=1024 many=4096 every=1 fine=32768 more=0
     case $1 in
@@ -151,13 +150,13 @@ choices() {
     esac
 }
 paths='-ab 22 -lr 0 -as 0 -aa 0 -lw 1e-7'
-limit=300       # seconds that a run of Radiance may take, but for the reference
-seeds='1 2 3 4' # of ours, whose errors and times are taken together
-fine_seeds='101 102 103 104 105 106 107 108' # of our reference
+limit=300       # seconds that a run of Radiance may take, except the reference
+seeds='1 2 3 4' # of our runs, whose errors and times are combined
+fine_seeds='101 102 103 104 105 106 107 108' # of the runs for our reference
 
 # ---- running ----
 
-# seconds OUT IN COMMAND ...: its processor time, user's and system's.
+# seconds OUT IN COMMAND ...: runs the command; prints its processor time, user and system.
 seconds() {
     out=$1 in=$2
     shift 2
@@ -173,13 +172,13 @@ seconds() {
         }'
 }
 
-# factors IN OUT: rtrace's irradiances as daylight factors, one a line.
+# factors IN OUT: rtrace's irradiances as daylight factors, one per line.
 factors() {
     horizontal=$(sed -n 's/^horizontal=\([0-9.]*\).*/\1/p' "$scratch/scene/daylight_factors.sh")
     awk -v h="$horizontal" '{ print (0.265 * $1 + 0.670 * $2 + 0.065 * $3) / h }' "$1" >"$2"
 }
 
-# traced OUT ERROR SEED FILE: ours, one a line; prints the seconds.
+# traced OUT ERROR SEED FILE: our daylight factors, one per line; prints the processor time.
 traced() {
     taken=$(seconds "$scratch/csv" /dev/null "$pepperpot" df -q -m brs-table --no-bands --simulate -j 1 \
         --error "$2" --seed "$3" --format csv "$4")
@@ -188,7 +187,8 @@ traced() {
     echo "$taken"
 }
 
-# rays OUT POINTS OPTIONS ...: rtrace's, one a line; prints the seconds, 0 where it was stopped.
+# rays OUT POINTS OPTIONS ...: daylight factors by rtrace, one per line; prints the processor time,
+# 0 if rtrace was stopped.
 rays() {
     to=$1 from=$2
     shift 2
@@ -197,8 +197,8 @@ rays() {
     factors "$scratch/irradiance" "$to"
 }
 
-# expert_rays OUT POINTS RUN: an expert's, one a line; prints the seconds of mkillum and both
-# passes, 0 where it was stopped.
+# expert_rays OUT POINTS RUN: daylight factors by an expert's run, one per line; prints the
+# processor time of mkillum and both passes, 0 if one of them was stopped.
 expert_rays() {
     expert "$3"
     (
@@ -216,8 +216,8 @@ expert_rays() {
     factors "$scratch/irradiance" "$1"
 }
 
-# reference: ours, one a line: the mean of the fine runs, and the square of its standard error by
-# how far they are apart; prints the seconds.
+# reference: our reference, one line per point: the mean of the fine runs, and the square of its
+# standard error from their spread; prints the processor time.
 reference() {
     for seed in $fine_seeds; do
         traced "$scratch/fine.$seed" 0.2% "$seed" "$scratch/few.xml"
@@ -229,9 +229,9 @@ reference() {
           print sum, squares / (NF - 1) / NF }' >"$scratch/ours"
 }
 
-# off FOUND ...: in per cent, relative: the root of the mean square of the error against our
-# reference, whose own noise is taken off; the mean of the error, which is the bias of a run
-# through a cache; and the former against rtrace's reference with its noise.
+# off FOUND ...: relative errors in per cent: the RMS error against our reference, less the noise of
+# the reference; the mean error, which is the bias of a run with a cache; and the RMS error against
+# rtrace's reference, which includes its noise.
 off() {
     for found; do
         awk -v every="$every" 'NR % every == 1 || every == 1' "$found" |
@@ -242,7 +242,7 @@ off() {
             100 * sqrt(theirs / NR) }'
 }
 
-# row WHOSE WORDS SECONDS FOUND ...: a line of the table, and of the list of runs.
+# row WHOSE WORDS SECONDS FOUND ...: adds a line to the table, and to the list of runs.
 row() {
     whose=$1 words=$2 taken=$3
     shift 3
@@ -308,7 +308,8 @@ compare() {
     ratios
 }
 
-# finished WORDS: whether the run was; a line that says so where it was not.
+# finished WORDS: succeeds if the run was finished; otherwise prints a line that states that it was
+# not.
 finished() {
     [ "$taken" != 0.000 ] || {
         printf '| %s | not finished after %d s | | | |\n' "$1" "$limit"
@@ -316,9 +317,10 @@ finished() {
     }
 }
 
-# How many times as long Radiance takes. An expert's run is biased: it counts as it is, against
-# the cheapest of ours whose error is no larger. An unbiased run's time goes with the inverse
-# square of its error: that is extrapolated, ours from the run asked for that error.
+# Prints ratios of the times of Radiance to ours. An expert's run is biased, so it is compared as it
+# is with the fastest of our runs whose error is no larger. The time of an unbiased run is
+# proportional to the inverse square of its error. Both times are therefore extrapolated to the
+# target error of one of our runs.
 ratios() {
     echo
     awk '

@@ -1,7 +1,7 @@
 #!/bin/sh
-# compare_rpict.sh PROGRAM [SIZE] - error against processor time of pictures of the deep
-# office, SIZE pixels square (default 256), by PROGRAM's `render` and by Radiance's rpict, as
-# lines of Markdown. Minutes; where Radiance is not on PATH, that is said, and nothing is done.
+# compare_rpict.sh PROGRAM [SIZE] - error against processor time of pictures of the deep office,
+# SIZE pixels square (default 256), by PROGRAM's `render` and by Radiance's rpict, as lines of
+# Markdown. Takes minutes. If Radiance is not on PATH, it only prints a note.
 set -eu
 LC_ALL=C
 export LC_ALL
@@ -21,7 +21,7 @@ done
 . "$(dirname "$0")/expert_radiance.sh"
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-limit=${LIMIT:-600} # seconds that a run of rpict may take; LIMIT: others
+limit=${LIMIT:-600} # seconds that a run of rpict may take; set by LIMIT
 
 cat >"$scratch/room.xml" <<'END'
 <room version="1" name="Deep office"><plan width="3" depth="9" height="2.7"/>
@@ -34,7 +34,7 @@ END
 
 # ---- running ----
 
-# seconds COMMAND ...: its processor time, user's and system's.
+# seconds COMMAND ...: runs the command; prints its processor time, user and system.
 seconds() {
     ("$@" >"$scratch/out" 2>"$scratch/err" <"${from:-/dev/null}" && times) | awk '
         { last = $0 }
@@ -48,12 +48,13 @@ seconds() {
         }'
 }
 
-# The picture's luminances, one a line. Both programs have them under 10,000 lx, over 179.
+# values PICTURE FILE: the luminances of the picture over 179, one per line. The sky of both
+# programs gives 10,000 lx.
 values() {
     pvalue -h -H -d -b "$1" >"$2"
 }
 
-# ours OUT OPTIONS ...: prints the seconds.
+# ours OUT OPTIONS ...: luminances by `render`; prints the processor time.
 ours() {
     to=$1
     shift
@@ -62,8 +63,8 @@ ours() {
     values "$scratch/ours.hdr" "$to"
 }
 
-# theirs OUT RUN: an expert's; prints the seconds of mkillum and both passes, 0 where it was
-# stopped. The overture has a sixteenth of the pixels.
+# theirs OUT RUN: luminances by an expert's run; prints the processor time of mkillum and both
+# passes, 0 if one of them was stopped. The overture has a sixteenth of the pixels.
 theirs() {
     expert "$2"
     (
@@ -80,16 +81,16 @@ theirs() {
             done
         } | awk '{ sum += $1; none += $1 == 0 } END { printf "%.2f\n", none ? 0 : sum }'
     )
-    # Of a run that was stopped there is no whole picture.
+    # A run that was stopped has no complete picture.
     values "$scratch/out" "$1" 2>"$scratch/err" || :
 }
 
 # ---- comparing ----
 
-# Pixels whose neighbours are like them, in a picture with little noise that is no reference:
-# to choose by those would choose where their noise cancels. A path through a pixel's middle
-# and the mean of a pixel are the same there. The window's are left out, which both programs
-# have straight from the sky.
+# Finds the pixels that are similar to their neighbours, in a picture with little noise. This
+# picture is not a reference, since a choice by the references would prefer pixels where their noise
+# cancels. At these pixels a path through the middle has the same value as the mean of the pixel.
+# The pixels of the window are left out, since both programs have them directly from the sky.
 smooth() {
     awk -v n="$size" '
         { v[NR - 1] = $1; if ($1 > most) most = $1 }
@@ -106,8 +107,8 @@ smooth() {
         }' "$scratch/quiet" >"$scratch/smooth"
 }
 
-# off FOUND: root of the mean square of the relative error, per cent. The product of the
-# differences from two independent references has not their noise.
+# off FOUND: RMS of the relative error, per cent. The mean product of the differences from two
+# independent references does not contain their noise.
 off() {
     paste -d' ' "$scratch/smooth" "$1" "$scratch/a" "$scratch/b" | awk '
         $1 { n++; s += ($2 - $3) * ($2 - $4) / ($3 * $4) }
@@ -125,7 +126,7 @@ ours "$scratch/b" --engine path --windows aimed --samples 256 --seed 202 >/dev/n
 ours "$scratch/quiet" --samples 64 --seed 303 >/dev/null
 smooth
 
-# The reference where rtrace follows paths without a cache, at some hundred of its pixels.
+# Compares the references with rtrace without a cache, at up to 256 pixels.
 awk -v n="$size" 'BEGIN { step = n / 16 } {
         x = (NR - 1) % n; y = int((NR - 1) / n)
         if ($1 && x % step == int(step / 2) && y % step == int(step / 2)) print NR, x, y

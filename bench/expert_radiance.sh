@@ -1,11 +1,13 @@
-# expert_radiance.sh - Radiance as its experts run it, for compare_radiance.sh and compare_rpict.sh:
-# mkillum gathers the light on the panes, each in parts; a first pass fills an ambient file, an
-# overture, and a second one with the same file gives the figures, with the panes as sources.
+# expert_radiance.sh - Radiance as experts run it, for compare_radiance.sh and compare_rpict.sh:
+# mkillum gathers the light on the panes, which are divided into parts; a first pass (the overture)
+# fills an ambient file; a second pass with the same file gives the figures. In both passes the
+# panes are sources.
 # shellcheck shell=sh disable=SC2034 # variables are the other scripts'
 
 expert_runs='coarse usual fine'
-# expert RUN: options of mkillum's samples and of mkillum in $samples and $outside, of both passes in
-# $inside. $more: bounces outside that the scene needs beyond the usual ones (default: 0).
+# expert RUN: sets $samples and $outside, the numbers of samples and the options of mkillum, and
+# $inside, the options of both passes. $more: bounces outside that the scene needs beyond the usual
+# ones (default: 0).
 expert() {
     more=${more:-0}
     case $1 in
@@ -24,7 +26,7 @@ expert() {
     esac
 }
 
-# divided FILE: panes, parallelograms, in parts of at most 0.3 m.
+# divided FILE: the panes (parallelograms), divided into parts of at most 0.3 m.
 divided() {
     awk -v size=0.3 '
         function corner(s, t, c) {
@@ -54,13 +56,14 @@ divided() {
         }' "$1"
 }
 
-# without WORD FILE: without the primitives of that type, of four lines each.
+# without WORD FILE: the file without the primitives of that type, which have four lines each.
 without() {
     awk -v word="$1" '$2 == word { left_out = 4 } left_out-- > 0 { next } { print }' "$2"
 }
 
-# near_ground FILE: the ground as a surface of 60 m round the room, for its shadows; beyond it is the
-# sky's glow. Ambient records are as far apart as the scene's size says: of 1,200 m they would be few.
+# near_ground FILE: the ground as a disc with a radius of 60 m around the room, on which shadows
+# fall; beyond the disc is the glow of the ground in the sky file. The distance of ambient records
+# is proportional to the size of the scene: with a ground of 1,200 m there would be few records.
 near_ground() {
     awk '$2 == "ring" { line = NR } line && NR == line + 3 { $NF = 60 } { print }' "$1"
 }

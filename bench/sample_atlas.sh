@@ -1,9 +1,9 @@
 #!/bin/sh
-# sample_atlas.sh PEPPERPOT ATLAS.csv [EVERY [FROM]] - the whole rooms of an atlas as a file
-# of traced rooms (tests/lib/traced_rooms.h) for fit_formulae: of each EVERYth room from
-# number FROM on (default: all), its room file and its points.
+# sample_atlas.sh PEPPERPOT ATLAS.csv [EVERY [FROM]] - writes the complete rooms of an atlas as a
+# file of traced rooms (tests/lib/traced_rooms.h) for fit_formulae: the room file and the points of
+# every EVERYth room from number FROM on (default: all rooms).
 pepperpot=$1
-# A room is whole with the row of its average; figures of an atlas are per cent.
+# A room is complete if it has the row of its average. Values in an atlas are in per cent.
 awk -F, -v every="${3:-1}" -v from="${4:-0}" '
     /^#/ { next }
     !columns { for (i = 1; i <= NF; i++) at[$i] = i; columns = NF; next }

@@ -1,8 +1,8 @@
 #!/bin/sh
-# write_performance.sh PROGRAM BENCH ... - docs/PERFORMANCE.md, on standard output: the
-# machine, what each of the benchmark programs prints, and the comparisons with Radiance by
-# compare_radiance.sh and compare_rpict.sh, which stand beside this script.
-# SCENES="NAME ...": these of the former's scenes. Run by make bench.
+# write_performance.sh PROGRAM BENCH ... - prints docs/PERFORMANCE.md: the machine, the output of
+# each benchmark program, and the comparisons with Radiance by compare_radiance.sh and
+# compare_rpict.sh in the folder of this script. SCENES="NAME ...": scenes of compare_radiance.sh
+# (default: all). Run by make bench.
 set -eu
 LC_ALL=C
 export LC_ALL
@@ -14,12 +14,12 @@ say() {
     echo "bench: $*" >&2
 }
 
-# value NAME FILE: what stands behind "NAME :" where it is first.
+# value NAME FILE: the text after the first "NAME :".
 value() {
     sed -n "s/^$1[[:space:]]*:[[:space:]]*//p" "$2" 2>/dev/null | sed 1q
 }
 
-# processor: its name; bare as /proc/cpuinfo has it.
+# processor: name and clock rate of the processor, from /proc/cpuinfo.
 processor() {
     name=$(value 'model name' /proc/cpuinfo)
     mhz=$(value 'cpu MHz' /proc/cpuinfo)
@@ -30,7 +30,7 @@ memory() {
     value MemTotal /proc/meminfo | awk '{ printf "%.1f GiB", $1 / 1048576 }'
 }
 
-# about FILE: the sentence at the head of a program.
+# about FILE: the text of a program's first comment.
 about() {
     sed '/\*\//q' "$1" | tr '\n' ' ' |
         sed 's|^/\* *[^ ]* - ||; s| *\*/.*||; s| \* | |g; s|  *| |g' |

@@ -1,12 +1,12 @@
-# code_blocks.awk - a document with its pieces of source code renewed. A piece stands in the
-# source between the comments `theory: NAME` and `theory: end`, and in the document in the
-# block that follows the line
+# code_blocks.awk - updates the pieces of source code in a document. In the source, a piece is
+# between the comments `theory: NAME` and `theory: end`; in the document it is the block after the
+# line
 #
 #     <!-- code: FILE, NAME -->
 #
 #     awk -v top=DIR -f code_blocks.awk docs/theory.md        top: where FILE begins
 #
-# Exit status 1 where a source has no such piece.
+# Exit status 1 if a source has no such piece.
 
 # The lines of the piece.
 function piece(file, name,    line, inside, found) {

@@ -1,6 +1,5 @@
-# formulae.awk - a page with the formulae that the program works out: the lines between
-# "<!-- formulae of METHOD -->" and "<!-- end of formulae -->" are written anew from
-# `pepperpot df --list-formulas`.
+# formulae.awk - updates the formulae on a page: the lines between "<!-- formulae of METHOD -->" and
+# "<!-- end of formulae -->" are replaced by the output of `pepperpot df --list-formulas`.
 #
 #     pepperpot df --list-formulas | awk -f docs/formulae.awk - docs/methods/bre.md
 

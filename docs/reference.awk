@@ -1,6 +1,6 @@
-# reference.awk - the reference of the library, out of pepperpot.h: each section a heading,
-# each comment a paragraph, each declaration as it stands. make reference writes it to
-# docs/reference.md; a check compares them.
+# reference.awk - the reference of the library, from pepperpot.h: sections become headings, comments
+# become paragraphs, declarations are copied. make reference writes it to docs/reference.md; a check
+# compares them.
 function put_comment() {
     if (comment != "") {
         print "\n" comment

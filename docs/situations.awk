@@ -4,7 +4,7 @@
 # without a figure follow, with the reason. Standard errors below 0.005 are omitted.
 BEGIN { FS = "," }
 
-# Only the last field, why there is no figure, may hold commas.
+# Only the last field, the reason for a missing figure, may contain commas.
 NR > 1 {
     place = $3 == "average" ? "average" : $4 " " $5
     if (!(place in places)) {
@@ -63,7 +63,7 @@ END {
         print ""
         for (i = 1; i <= count; i++) {
             split(order[i], word, SUBSEP)
-            # Direct components by others than exact go with any that is reflected.
+            # Of the pairs of methods, only those with exact are shown.
             if (word[1] != parts[n] || !any[order[i]] || word[2] ~ /[a-z]\+/ \
                 && word[2] !~ /^exact\+/)
                 continue

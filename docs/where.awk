@@ -1,5 +1,5 @@
-# where.awk - where each cited work stands in the program: a line a place, by the keys of
-# docs/SOURCES.md, with the equation, table or page where one is named.
+# where.awk - lists the places in the program that cite each work of docs/SOURCES.md, one per line,
+# with the equation, table or page if it is named.
 #
 #     awk -f docs/where.awk docs/SOURCES.md FILE...     from the top, in order
 BEGIN {
@@ -13,7 +13,7 @@ BEGIN {
     print "| --- | --- | --- |"
 }
 
-# "eq. 12" behind a key: up to the first sign that is not part of a place.
+# "eq. 12" after a key: the text up to the first character that is not part of a place.
 function place_of(text) {
     if (match(text, /^,? *\(?(eqs?\.|equations?|tables?|figs?\.|p\.|pp\.|section|chapter) *[(]?[0-9A-Za-z][0-9A-Za-z.]*[)]?/)) {
         place = substr(text, RSTART, RLENGTH)

@@ -1,4 +1,5 @@
-# page2c.awk - text files as entries of page_files.c's list. Their paths begin behind "page".
+# page2c.awk - converts text files to entries of the list in page_files.c. The path of an entry is
+# the part of the file's path after "page".
 function end_file() {
     if (open)
         print "\"\"),"

@@ -1,9 +1,9 @@
 # csv2c.awk - turns a published table into the rows of a C initialiser.
 #
-# Comment lines start with #. The first other line is the header: it is left out,
-# unless all its fields but the first are numbers (a table of two arguments), when it
-# becomes a first row {NAN, ...}. Numbers stay as printed, inf becomes INFINITY, an
-# empty field NAN, anything else a string. Fields hold no commas.
+# Comment lines start with #. The first other line is the header: it is left out, unless all its
+# fields but the first are numbers (a table of two arguments), when it becomes a first row {NAN,
+# ...}. Numbers stay as printed, inf becomes INFINITY, an empty field NAN, anything else a string.
+# Fields contain no commas.
 BEGIN { FS = ","; print "/* made by csv2c.awk; do not edit */" }
 function is_number(s) { return s ~ /^[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?$/ }
 function c_value(s)

@@ -22,7 +22,8 @@ struct pp_annual_stores {
 /* Options stored in a struct pp_annual_stores. */
 extern const struct pp_option pp_annual_stores_options[];
 
-/* PP_BAD_INPUT if the options cannot be combined with a target error or with --exact-sky. */
+/* PP_BAD_INPUT if the options cannot be combined with a target error or with
+ * --exact-sky. */
 enum pp_status pp_annual_stores_check(const struct pp_annual_stores *stores,
                                       bool has_error, bool exact_sky,
                                       struct pp_error *err);

@@ -13,7 +13,7 @@ struct pp_blinds_choice {
     int count;
 };
 
-/* Reads "lm83", "never", "none" or "always" to a struct pp_blinds_choice. */
+/* Reads "lm83", "never", "none" or "always" into a struct pp_blinds_choice. */
 enum pp_status pp_blinds_option_read(const char *text, void *place,
                                      struct pp_error *err);
 

@@ -30,8 +30,8 @@ enum pp_status pp_atlas_file_open(struct pp_atlas_file *file, const char *path,
 enum pp_status pp_atlas_file_add(struct pp_atlas_file *file, const char *rows,
                                  size_t length, struct pp_error *err);
 
-/* Closes the file. `status` is that of the run, and is returned unless closing fails; after
- * a failure a new file to which nothing was written is removed. */
+/* Closes the file. `status` is that of the run, and is returned unless closing fails;
+ * after a failure a new file to which nothing was written is removed. */
 enum pp_status pp_atlas_file_close(struct pp_atlas_file *file, enum pp_status status,
                                    struct pp_error *err);
 

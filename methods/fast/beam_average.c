@@ -86,7 +86,7 @@ static const double layers[LAYERS + 1] = {0.0, 0.21, 0.53, 1.0};
 /* Points of the cubature for one part: in the first estimate, and at most. */
 enum { FIRST_POINTS = 17, MOST_POINTS = 6000 };
 
-/* Most tolerances in turn, each from the estimate with the one before. */
+/* Greatest number of tolerances; each follows from the estimate with the one before. */
 enum { MOST_TOLERANCES = 4 };
 
 /* Integral over a part: its two values, and the sum of their errors. */

@@ -97,10 +97,10 @@ static const char *bre_atlas_refuses(const struct pp_world *world,
     return pp_fitted_parts_refuses(world, light, opening, receiver);
 }
 
-/* Of each opening of the world, in order. */
+/* Data of each opening of the world, in order. */
 struct bre_atlas_tools {
     void *light;                 /* struct pp_fitted_light */
-    struct pp_bre_terms terms[]; /* none of openings that are not vertical */
+    struct pp_bre_terms terms[]; /* all 0 for openings that are not vertical */
 };
 
 static void destroy_bre_atlas(void *of_bre_atlas)

@@ -127,7 +127,8 @@ double pp_surface_materials_pane_mirrored(const struct pp_opening *opening,
     return pp_glass_reflectance(&opening->glass, cosine) * open_share(opening);
 }
 
-/* The straight share of a pane that is `scatter`, or glass if that is NULL. */
+/* Share of the light that passes the pane straight. scatter: how the pane scatters;
+ * NULL: it is glass. */
 static double straight_from(const struct pp_opening *opening,
                             const struct pp_pane_scatter *scatter, struct pp_vec3 u,
                             double cosine)

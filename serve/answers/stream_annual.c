@@ -18,8 +18,8 @@
 #include "serve/work/program_words.h"
 
 /* Paths per point and randomisation. From SURE paths on, the standard error of 16
- * randomisations is reliable enough to end the passes (studies/year/annual.c begins
- * with the same number). */
+ * randomisations is reliable enough to end the passes (studies/year/annual.c does not
+ * end with fewer either). */
 static const int passes[] = {2, 16, 128, 512, 2048, 8192};
 enum { PASSES = sizeof passes / sizeof *passes, SURE = 128 };
 

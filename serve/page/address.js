@@ -1,5 +1,5 @@
-// address.js - the room in the part of the address behind "#", which browsers never send. It is
-// deflated and written in the letters of base64url.
+// address.js - keeps the room in the part of the address after "#", which browsers never send. The
+// text is deflated and encoded as base64url.
 
 async function through(bytes, stream) {
     return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());

@@ -1,6 +1,7 @@
-// axon_view.js - an axonometric view that turns with the pointer or the arrow keys: faces that
-// look away are left out, so that one looks into the room. Sun that falls in through the openings
-// is drawn on each face as the openings' shadows less those of what stands outside.
+// axon_view.js - an axonometric view, rotated with the pointer or the arrow keys. Faces of the room
+// whose inside is turned away from the viewer are left out, so that the inside of the room is
+// visible. Sunlight through the openings is drawn on each face as the projections of the openings
+// along the sun's rays, less the shadows of objects outside.
 
 import { board } from './board.js';
 import { s, pathOf, replaceChildren } from './dom.js';
@@ -68,7 +69,8 @@ export function createAxonView(svg, sunOf) {
     return draw;
 }
 
-// Sun on a face: the shadows of openings, kept within the face, less the shadows of objects.
+// Sunlight on a face: the projections of the openings, clipped to the face, less the shadows of
+// objects.
 function drawSun(scene, face, index, sun, to) {
     const cast = (xyz) => shadowOn(pointsOf(xyz), face.points[0], face.normal, sun);
     const lit = scene.openings.filter((o) => dot(normalOf(pointsOf(o.inner)), sun) < -1e-6).map((o) => cast(o.outer)).filter(Boolean);

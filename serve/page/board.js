@@ -1,5 +1,6 @@
-// board.js - the state of the board: one or two variants of a room file, each with what can be
-// undone, what is selected, and what the engine has found out. Parts of the page listen to it.
+// board.js - the state of the page: one or two variants of a room file, each with its changes that
+// can be undone; the selection; and the results of the engine. Parts of the page listen to its
+// events.
 
 import { readElements, roomsOf, isWithin, valueOf } from './room_text.js';
 
@@ -39,7 +40,7 @@ class Board extends EventTarget {
         return this.elements[this.selected] ?? null;
     }
 
-    // Elements of the room in view, and of its site.
+    // Elements of the current room, and of its site.
     get parts() {
         const room = this.room;
         return this.elements.filter((e) => e !== room && e.name !== 'building' && (isWithin(e, room) || !this.rooms.some((r) => isWithin(e, r))));
@@ -59,7 +60,7 @@ class Board extends EventTarget {
         if (this.roomIndex >= this.rooms.length) this.roomIndex = 0;
     }
 
-    // Starts anew with one room file.
+    // Starts with a new room file.
     open(text, { keep = false } = {}) {
         if (keep && this.variant) {
             this.change(text);
@@ -75,7 +76,7 @@ class Board extends EventTarget {
         this.tell('selection');
     }
 
-    // Changes the text of the variant in use. Changes with the same `series` are undone as one.
+    // Changes the text of the current variant. Changes with the same `series` are undone together.
     change(text, { series = null, from = 'drawing', select } = {}) {
         const variant = this.variant;
         if (text === variant.text) return;
@@ -92,7 +93,7 @@ class Board extends EventTarget {
         if (select !== undefined) this.tell('selection');
     }
 
-    // Ends a series, so that the next change is undone apart.
+    // Ends a series, so that the next change is undone separately.
     endSeries() {
         if (this.variant) this.variant.series = null;
     }
@@ -132,7 +133,8 @@ class Board extends EventTarget {
         this.tell('selection');
     }
 
-    // A second variant, a copy of the one in use; or without it.
+    // on: adds a second variant, a copy of the current one; otherwise removes the variant that is
+    // not current.
     compare(on) {
         if (on && this.variants.length === 1) {
             this.variants.push({ text: this.text, undo: [], redo: [] });

@@ -1,5 +1,5 @@
-// criteria_panel.js - the criteria of pepperpot assess, and what would help; asked for when the hand
-// rests and the tab is open.
+// criteria_panel.js - the findings of pepperpot assess, and changes that would help. They are
+// requested after a pause in the input, if the tab is open.
 
 import { board } from './board.js';
 import { engine } from './engine.js';
@@ -23,7 +23,7 @@ function drawHelp(help) {
     return shown.length > 0 && [h('h3', {}, 'What would help'), h('ul', {}, shown.map((c) => h('li', {}, `${c.change}${Number.isFinite(c.average) ? `: average ${figure(c.average)} %` : ''}`)))];
 }
 
-// The list of changes, wherever the answer has it.
+// Finds the list of changes anywhere in the answer.
 function changesIn(answer) {
     const found = [];
     const look = (value) => {

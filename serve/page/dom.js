@@ -1,5 +1,5 @@
-// dom.js - elements of the page, made without HTML text, so that nothing in a room file can
-// become one.
+// dom.js - makes elements of the page without HTML text, so that no text of a room file can become
+// an element.
 
 function fill(element, attributes, children) {
     for (const [name, value] of Object.entries(attributes ?? {})) {
@@ -28,8 +28,8 @@ export function pathOf(points, closed = false) {
     return points.map(([x, y], i) => `${i ? 'L' : 'M'}${x.toFixed(1)} ${y.toFixed(1)}`).join('') + (closed ? 'Z' : '');
 }
 
-// Replaces what an element holds, and gives the focus back to the part of the same
-// data-handle or id.
+// Replaces the children of an element, and returns the focus to the part with the same data-handle
+// or id.
 export function replaceChildren(element, ...children) {
     const focused = element.contains(document.activeElement) ? document.activeElement : null;
     const key = focused?.dataset?.handle, id = focused?.id;
@@ -39,7 +39,7 @@ export function replaceChildren(element, ...children) {
     again?.focus({ preventScroll: true });
 }
 
-// A value for people: with a standard error, as many digits as that allows; else three.
+// A value as text: with a standard error as many digits as the error justifies, otherwise three.
 export function figure(value, error = null) {
     if (value === null || value === undefined || !Number.isFinite(value)) return '\u2013';
     if (error !== null && Number.isFinite(error) && error > 0) {
@@ -59,7 +59,7 @@ export function download(name, type, content) {
     setTimeout(() => URL.revokeObjectURL(url), 60000);
 }
 
-// A name that can be that of a file.
+// A valid file name made from a name.
 export function fileName(name, extension) {
     return `${(name || 'room').replace(/[^\p{L}\p{N}_-]+/gu, '-').replace(/^-+|-+$/g, '') || 'room'}.${extension}`;
 }

@@ -25,7 +25,7 @@ function move(handle, place, event) {
     board.change(setMany(board.text, handle.drag(kept)), { series });
 }
 
-// The handles as parts of a drawing; what they set stands in their names for screen readers.
+// The handles as parts of a drawing. Their names for screen readers state what they set.
 export function drawHandles(view) {
     return view.handles.map((handle) => {
         const [x, y] = view.toScreen(handle.at);
@@ -36,7 +36,7 @@ export function drawHandles(view) {
     });
 }
 
-// Listens on an svg; viewOf() gives what is drawn in it now.
+// Listens to the events of an svg; viewOf() returns the view that is drawn in it now.
 export function listenToDrags(svg, viewOf) {
     let held = null;
     const placeOf = (event) => {

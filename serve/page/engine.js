@@ -1,5 +1,5 @@
-// engine.js - the one module that computes: by the server's JSON interface. A WebAssembly build
-// would be another module with the same functions.
+// engine.js - the only module that calculates: through the JSON interface of the server. A
+// WebAssembly build would be another module with the same functions.
 
 export class EngineError extends Error {
     constructor(message, status, mistakes) {
@@ -37,7 +37,7 @@ async function request(path, body, { signal, type = 'application/json', secret =
     try {
         answer = await response.json();
     } catch {
-        // The status says enough.
+        // The status is enough.
     }
     throw new EngineError(answer.error ?? `The server replied with status ${response.status}.`, response.status, answer.mistakes);
 }
@@ -50,7 +50,7 @@ async function postJson(command, text, options, signal) {
     return (await post(command, text, options, signal)).json();
 }
 
-// Events of a stream as they come: { event, data }.
+// Events of a stream as they arrive: { event, data }.
 async function* events(response) {
     const reader = response.body.pipeThrough(new TextDecoderStream()).getReader();
     let waiting = '';

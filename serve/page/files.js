@@ -1,5 +1,5 @@
-// files.js - rooms to start from: examples, files that are dropped or chosen, and what they become:
-// room files open, gbXML is imported by the engine, OBJ becomes surfaces, EPW is weather.
+// files.js - examples, and files that are dropped or chosen: room files are opened, gbXML is
+// imported by the engine, OBJ files become surfaces, EPW files are weather.
 
 import { board } from './board.js';
 import { engine } from './engine.js';

@@ -1,5 +1,5 @@
-// geometry.js - a scene of the engine in the views: points, the axes of walls, sections by a
-// vertical plane, and the patches of sun on surfaces. Metres; +x right, +y up the plan, +z up.
+// geometry.js - geometry of the engine's scene for the views: points, the axes of walls, sections
+// by a vertical plane, and the patches of sun on surfaces. Metres; +x right, +y up the plan, +z up.
 
 export const sub = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -81,9 +81,9 @@ export function scenePlanBounds(scene, withOutside) {
 
 // ---- the sun ----
 
-// Altitude and bearing (degrees, clockwise from north) of the sun: declination and equation of
-// time by the series of Spencer (1971), good to some 0.1 degrees and half a minute. time: of the
-// mean sun's zone, in hours.
+// Altitude and bearing (degrees, clockwise from north) of the sun: declination and equation of time
+// by the series of Spencer (1971), to about 0.1 degrees and half a minute. time: standard time of
+// the nearest whole-hour zone, in hours.
 export function sunPlace(latitude, longitude, month, day, time) {
     const rad = Math.PI / 180;
     const starts = [0, 31, 59, 90, 120, 151, 181, 212, 243, 273, 304, 334];
@@ -106,7 +106,8 @@ export function sunDirection(place, north) {
 }
 
 // Shadow of a polygon on a plane (a point of it and its normal) along the sun's direction, as
-// points of the plane; null where it lies behind. Only the part on the sun's side counts.
+// points of the plane; null if there is none. Only the part of the polygon on the sun's side of the
+// plane casts a shadow.
 export function shadowOn(points, planePoint, normal, sun) {
     const slope = dot(sun, normal);
     if (Math.abs(slope) < 1e-6) return null;

@@ -1,5 +1,5 @@
-// handles.js - the handles of the selected element, by view. A handle has a place in its view and
-// says which attributes a drag to another place sets.
+// handles.js - the handles of the selected element, by view. A handle has a position in its view,
+// and states which attributes a drag to another position sets.
 //
 //     { key, at: [a, b], label, drag: ([a, b]) => [[element, changes], ...], axes: 'xy' }
 //
@@ -14,7 +14,8 @@ export function surfaceOfWall(scene, name) {
     return scene.surfaces.findIndex((s, i) => i < scene.faces && s.role !== 'floor' && s.name === name);
 }
 
-// The opening of the scene that an element became: by its line, and its turn among those there.
+// The opening of the scene that was made from an element, found by its line and its index among the
+// openings on that line.
 export function openingOf(scene, elements, element) {
     const same = elements.filter((e) => ['window', 'rooflight', 'opening'].includes(e.name) && e.line === element.line);
     return scene.openings.filter((o) => o.line === element.line)[same.indexOf(element)] ?? null;
@@ -88,8 +89,8 @@ function windowHandles(scene, element, view) {
     return [];
 }
 
-// Heights in the section: of sill and head where the section cuts the wall, of the room, of the
-// working plane and of blocks. cut: the section's view, with s of things.
+// Handles for heights in the section: of sill and head if the section cuts the wall, of the room,
+// of the working plane and of blocks. cut: the view of the section, which converts positions to s.
 function sectionHandles(scene, element, cut) {
     if (element.name === 'window') {
         const s = cut.placeOfWall(valueOf(element, 'wall'));
@@ -124,7 +125,8 @@ function sectionHandles(scene, element, cut) {
     return [];
 }
 
-// Handles whose place is known: a value may be missing or no number while it is typed.
+// Handles whose position is known: a value may be missing, or not a number, while it is being
+// typed.
 export function handlesOf(...view) {
     return placedHandles(...view).filter((handle) => handle.at.every(Number.isFinite));
 }

@@ -1,5 +1,6 @@
-// live.js - asks the engine while the drawing changes. One request for the drawing is on its way
-// at a time, and the next one is of the newest text; when the hand rests, the slower ones follow.
+// live.js - sends requests to the engine while the drawing changes. Only one request for the
+// drawing is pending at a time; the next one has the newest text. The slower requests follow after
+// a pause in the input.
 
 import { board } from './board.js';
 import { engine } from './engine.js';
@@ -56,7 +57,7 @@ async function update() {
 
 export const isBusy = () => running;
 
-// ---- when the hand rests ----
+// ---- after a pause in the input ----
 
 async function askFigures() {
     const turn = ++asked, text = board.text;

@@ -1,4 +1,4 @@
-// main.js - puts the page together.
+// main.js - assembles the page.
 
 import { board } from './board.js';
 import { engine, setKey, setToken } from './engine.js';
@@ -159,7 +159,7 @@ async function firstRoom(address, server) {
         try {
             return await engine.startRoom();
         } catch {
-            // Another user's room is not ours to see: begin with an example.
+            // The room of another user may not be read: begin with an example.
         }
     }
     return engine.example('office');
@@ -218,7 +218,7 @@ async function start() {
     await setUpText();
 }
 
-// For tests and benchmarks, which see what a user sees and wait for it to settle.
+// For tests and benchmarks, which read the page as a user sees it, and wait until it is up to date.
 window.pepperpot = { board, isBusy, timings, setAttributes };
 
 start().catch((error) => {

@@ -8,13 +8,14 @@ import { handlesOf, openingOf } from './handles.js';
 import { drawHandles, listenToDrags } from './drag.js';
 import { labelOf } from './kinds.js';
 
-// Places of the colours for levels in per cent, as classes of the style sheet.
+// Lower limits (per cent) of the colours from the second one on, which are classes of the style
+// sheet.
 const STEPS = [0.2, 0.5, 1, 2, 3, 5, 10, 20];
 export function bandOf(level) {
     return STEPS.filter((step) => level >= step - 1e-9).length;
 }
 
-// One scale for plan and section: pixels a metre.
+// One scale for plan and section: pixels per metre.
 export function scaleFor(bounds, width, height, margin) {
     return Math.max(2, Math.min((width - 2 * margin) / (bounds[1] - bounds[0]), (height - 2 * margin) / (bounds[3] - bounds[2])));
 }
@@ -28,7 +29,8 @@ export function mappingOf(bounds, width, height, scale) {
     };
 }
 
-// Ground under all bands, and each level's part below it over that.
+// Fills the plane with the colour of the highest value, then, from the highest level down, the area
+// below each level with the colour of the next lower one.
 function drawBands(plan, plane, to) {
     if (!plan?.contours.length) return [];
     const levels = [...new Set(plan.contours.map((c) => c.level))].sort((a, b) => b - a);
@@ -56,7 +58,7 @@ function drawContours(plan, to) {
     return [...lines, ...noSky, ...numbers];
 }
 
-// What an element is in the drawing: can be picked by pointer and by keys.
+// Makes the drawing of an element selectable by pointer and by keys.
 function pickable(element, node) {
     node.setAttribute('data-element', element.index);
     node.setAttribute('tabindex', -1);
@@ -150,7 +152,7 @@ export function createPlanView(svg, scaleOf) {
     };
 }
 
-// Where the section is taken.
+// The line of the section.
 function drawCut({ toScreen }) {
     const cut = board.cut;
     if (!cut) return null;

@@ -1,4 +1,4 @@
-// properties.js - the list of the room's parts, and the values of the selected one to be typed.
+// properties.js - the list of the room's parts, and fields for the values of the selected one.
 
 import { board } from './board.js';
 import { $, h, replaceChildren } from './dom.js';
@@ -74,7 +74,8 @@ function wallForNew() {
     return used ?? board.results.scene?.surfaces.find((f) => f.role === 'wall')?.name ?? 'south';
 }
 
-// Adds a part and selects it: behind the last one of its kind, else in its order of a room file.
+// Adds a part and selects it: after the last one of its kind or, if there is none, at its position
+// in the order of a room file.
 function add(kind) {
     const xml = NEW_PARTS[kind](boundsOfRoom(), wallForNew());
     const room = board.room;

@@ -1,5 +1,5 @@
-// room_text.js - a room file as text with places: elements are read and changed where they
-// stand, and everything else stays as it was written, comments and blanks included.
+// room_text.js - a room file as text with positions: elements are read and changed in place, and
+// everything else stays as it was written, including comments and blanks.
 
 const TAG = /<!--[\s\S]*?-->|<\?[\s\S]*?\?>|<!\[CDATA\[[\s\S]*?\]\]>|<\/([\w.-]+)\s*>|<([\w.-]+)((?:\s+[\w.:-]+\s*=\s*(?:"[^"]*"|'[^']*'))*)\s*(\/?)>/g;
 const ATTRIBUTE = /([\w.:-]+)(\s*=\s*)("[^"]*"|'[^']*')/g;
@@ -17,10 +17,10 @@ export function escapeXml(value) {
     return String(value).replace(/[&<>"]/g, (c) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c]);
 }
 
-// The elements of a text in its order: { name, from, to, end, line, attributes, parent,
-// children }. from and to are its start tag, end is behind the whole element, line is where the
-// start tag ends, as the program counts. attributes: name to { value, from, to, nameFrom } with the
-// place of the value inside its quotes.
+// The elements of a text in order: { name, from, to, end, line, attributes, parent, children }. The
+// start tag is the text between from and to; end is after the whole element; line is the line on
+// which the start tag ends, as in the messages of the program. attributes: by name { value, from,
+// to, nameFrom }, with the position of the value inside its quotes.
 export function readElements(text) {
     const elements = [];
     const open = [];
@@ -64,7 +64,7 @@ function splice(text, from, to, by) {
     return text.slice(0, from) + by + text.slice(to);
 }
 
-// Sets attributes of one element; null takes one away.
+// Sets attributes of one element; null removes an attribute.
 export function setAttributes(text, element, changes) {
     const edits = [];
     let added = '';
@@ -101,7 +101,7 @@ function indentOf(text, at) {
     return from + blanks.length === at ? blanks : '';
 }
 
-// Takes an element out, with its line where nothing else stands on it.
+// Removes an element, with its line if nothing else is on it.
 export function removeElement(text, element) {
     let { from, end } = element;
     const lineFrom = text.lastIndexOf('\n', from - 1) + 1;
@@ -112,13 +112,13 @@ export function removeElement(text, element) {
     return splice(text, from, end, '');
 }
 
-// Puts an element's text behind another one, on a line of its own; returns the text.
+// Inserts the text of an element after another one, on a separate line; returns the text.
 export function insertBehind(text, element, xml) {
     const indent = indentOf(text, element.from);
     return splice(text, element.end, element.end, `\n${indent}${xml}`);
 }
 
-// Puts it last within its parent.
+// Inserts it as the last child of its parent.
 export function insertInto(text, parent, xml) {
     const last = parent.children[parent.children.length - 1];
     if (last) return insertBehind(text, last, xml);
@@ -145,7 +145,7 @@ export function isWithin(element, room) {
     return false;
 }
 
-// A number as it is written in a file: metres to a millimetre, without noughts at its end.
+// A number as written in a file: by default metres to a millimetre, without trailing zeros.
 export function written(number, decimals = 3) {
     return String(Number(number.toFixed(decimals)));
 }

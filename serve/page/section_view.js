@@ -11,7 +11,7 @@ import { mappingOf } from './plan_view.js';
 import { labelOf } from './kinds.js';
 
 // Where the section is taken: { at, direction, range }: through the first line of points, or
-// square to the wall of the selected window or skyline, or of the first window.
+// perpendicular to the wall of the selected window or skyline, or of the first window.
 export function chooseCut(scene) {
     const line = board.parts.find((e) => e.name === 'line');
     const chosen = ['window', 'skyline'].includes(board.element?.name) ? board.element : null;
@@ -42,7 +42,8 @@ export function chooseCut(scene) {
     return { at, direction, range: rangeOf(along, 0) };
 }
 
-// Points for the curve: along the cut, inside the room by half a metre where that leaves room.
+// Points for the curve: along the cut, from 0.25 m inside its ends, or a tenth of its length if
+// that is less.
 export function pointsOfCut(scene, cut, count = 33) {
     const inset = Math.min(0.25, (cut.range[1] - cut.range[0]) / 10);
     const points = [];
@@ -119,7 +120,7 @@ function drawSection(scene, cut, to) {
     return [...nodes, ...glass, plane];
 }
 
-// The curve of the first method, in the section's own upper part: 1 m of height is a round
+// The curve of the first method, drawn from the working plane upwards: 1 m of height is a round
 // number of per cent.
 function drawCurve(scene, cut, to) {
     const section = board.results.section;

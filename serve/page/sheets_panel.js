@@ -5,7 +5,7 @@ import { board } from './board.js';
 import { engine } from './engine.js';
 import { $, h, download, fileName, replaceChildren } from './dom.js';
 
-// Kinds that the room's point, or its first point, is needed for.
+// Kinds that need a point: the room's first one.
 const FROM_POINT = ['waldram', 'pepper-pot', 'protractor', 'brs-table', 'position-nomogram'];
 const SHOWN = ['waldram', 'pepper-pot', 'protractor', 'nomogram', 'brs-table', 'section', 'plan', 'elevation', 'vertical-sky', 'skylight-indicator', 'sun-path', 'availability', 'position-nomogram', 'note'];
 

@@ -1,5 +1,5 @@
-// text_tab.js - the room file as text, with its mistakes marked and listed. The editor is CodeMirror
-// where its bundle can be loaded, and a plain text area elsewhere.
+// text_tab.js - the room file as text, with its mistakes marked and listed. The editor is
+// CodeMirror if its bundle can be loaded, otherwise a plain text area.
 
 import { board } from './board.js';
 import { engine } from './engine.js';
@@ -7,7 +7,7 @@ import { $, h, replaceChildren } from './dom.js';
 
 const WAIT_MS = 200;
 
-// Both editors: { text, setText, mark, goTo }.
+// Both editors are objects { text, setText, mark, goTo }.
 function plainEditor(parent, changed) {
     const area = h('textarea', { id: 'text', spellcheck: 'false', autocapitalize: 'off', 'aria-label': 'Room file', 'aria-describedby': 'mistakes' });
     area.addEventListener('input', () => changed(area.value));

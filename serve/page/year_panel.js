@@ -18,7 +18,7 @@ const isOpen = () => !$('panel-year').hidden;
 const isAtPointer = () => $('year-of').value === 'pointer';
 export const isRunningYear = () => running !== null;
 
-// Illuminance for people: two digits where the error is above 3 %, else three.
+// Illuminance as text: two digits if the error is above 3 %, otherwise three.
 function lux(value) {
     if (value === null || value === undefined || !Number.isFinite(value)) return 'not known';
     return `${Number(value.toPrecision(shown.error > 3 ? 2 : 3))} lx`;
@@ -115,7 +115,7 @@ function drawFigures() {
         annual.warnings.map((w) => h('p', { class: 'note' }, `Warning: ${w}.`)));
 }
 
-// Both shares together. Their errors are not independent, so that the larger one is shown.
+// Sum of both shares. Their errors are not independent, so the larger one is shown.
 function sumOf(a, b) {
     return a && b && { value: a.value + b.value, se: Math.max(a.se, b.se) };
 }
@@ -191,7 +191,7 @@ function startAtRest() {
     restTimer = setTimeout(() => { if (isOpen()) startYear(); }, REST_MS);
 }
 
-// The file whose sky and sun the year has; opens the tab.
+// Sets the weather file of the year, and opens the tab.
 export function useYearWeather(found) {
     weather = found;
     $('year-weather').textContent = `Weather: ${found.place}`;

@@ -12,7 +12,8 @@
  * on a separate elevation of the same direction, on a layer farther back. A wall
  * without windows is omitted if it would hide another wall, or if it is far from all
  * walls with windows. The windows of the sheet must be set before. Elevations are in
- * order clockwise from north, and from front to back. PP_NO_MEMORY. */
+ * order clockwise from north, and from front to back. PP_SYSTEM if memory is
+ * exhausted. */
 enum pp_status pp_elevation_layers_make(struct pp_elevation_sheet *sheet,
                                         const struct pp_site_rooms *rooms,
                                         struct pp_error *err);

@@ -94,8 +94,8 @@ static double eccentricity(int day)
            + 0.000077 * sin(2.0 * a);
 }
 
-/* Luminance in a direction at these angles to zenith and sun, over that of (1) in
- * perez_sky.h with N = 1. */
+/* Luminance in a direction at these angles to zenith and sun, by (1) in perez_sky.h
+ * with N = 1. */
 static double relative_luminance(const struct pp_perez_sky *sky, double zenith,
                                  double gamma)
 {

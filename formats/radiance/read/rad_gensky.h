@@ -22,9 +22,9 @@ struct pp_gensky {
 bool pp_rad_gensky_evaluate(struct pp_gensky *sky, char *const *words, int count,
                             char *wrong, size_t room);
 
-/* Sun (rad; azimuth west of south) and day of the year from the first four words of gensky
- * or gendaylit and their options -y, -a, -o and -m. *day is 0 with -ang. Otherwise as
- * pp_rad_gensky_evaluate. */
+/* Sun (rad; azimuth west of south) and day of the year from the first four words of
+ * gensky or gendaylit and their options -y, -a, -o and -m. *day is 0 with -ang.
+ * Otherwise as pp_rad_gensky_evaluate. */
 bool pp_rad_gensky_place(double *altitude, double *azimuth, int *day,
                          char *const *words, int count, char *wrong, size_t room);
 

@@ -52,7 +52,8 @@ static int coarse_opening(const struct pp_world *coarse, const char *name)
     return found;
 }
 
-/* Reports that the coarse model has no window of that name, or NULL: no common one. */
+/* Reports that the coarse model has no window of that name; NULL: none that has the
+ * name of a window of the room. */
 static void say_no_window(const struct nesting *n, const char *name)
 {
     const struct pp_world *coarse = n->coarse;

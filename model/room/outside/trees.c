@@ -10,10 +10,12 @@
 
 enum { SIDES = 12 };
 
-/* Largest height between points of a crown that are checked to be outside the room. */
+/* Greatest difference in height (m) between neighbouring points of a crown that are
+ * tested. */
 static const double CHECKED_M = 0.25;
 
-/* Corner of the crown: its area is that of a circle, n/2 R^2 sin(2 pi/n) = pi r^2. */
+/* Corner of the crown. The cross-section has the area of a circle of the crown's width:
+ * n/2 R^2 sin(2 pi/n) = pi r^2. */
 static struct pp_vec3 crown_corner(const struct pp_tree *tree, int side, double z)
 {
     double step = 2.0 * PP_PI / SIDES;
@@ -71,8 +73,8 @@ static bool is_in_crown(const struct pp_tree *tree, struct pp_vec3 point)
                   < 0.5 * tree->crown_width_m;
 }
 
-/* True if part of the crown is in the room: points around it, up to a spacing of
- * CHECKED_M, or corners of the room. */
+/* True if part of the crown is in the room. Tests the corners of the room, and points
+ * around the crown at heights up to CHECKED_M apart. */
 static bool reaches_into_room(const struct pp_world *world, const struct pp_tree *tree)
 {
     for (int i = 0; i < world->face_count; i++)

@@ -1,10 +1,10 @@
 /* trees.h - crowns of trees, through which part of the light passes straight.
  *
- * A crown is an upright prism of twelve sides, with the cross-section of a circle of the
- * crown's width. Each face is a pane that transmits the square root of the crown's
- * transmittance at every angle, so that a ray through the crown is multiplied by the
- * transmittance once. The rest is absorbed. Leaves reflect and scatter no light, and
- * there is no trunk.
+ * A crown is an upright prism of twelve sides, whose cross-section has the area of a
+ * circle of the crown's width. Each face is a pane that transmits the square root of
+ * the crown's transmittance at every angle, so that a ray through the crown is
+ * multiplied by the transmittance once. The rest is absorbed. Leaves reflect and
+ * scatter no light, and there is no trunk.
  *
  * Trees have leaves, except in the months without leaves (pp_trees_are_bare). A world
  * has the trees of one season.

@@ -9,8 +9,8 @@
 #include "studies/study_options.h"
 
 /* Adds the columns "traced" to the report, whose receivers are the grid's points. With
- * a number of samples or a time instead of a target error, simulates once. *by_clock: as in
- * pp_study_report_traced. */
+ * a number of samples or a time instead of a target error, simulates once. *by_clock:
+ * as in pp_study_report_traced. */
 enum pp_status pp_plane_trace(struct pp_report *report,
                               const struct pp_study_options *options, bool of_average,
                               bool *by_clock, struct pp_error *err);
