@@ -173,8 +173,21 @@ static enum pp_status refine(const struct search *search, struct size_trial *bel
     return status;
 }
 
-/* Evaluates the present room, and sizes over the whole range. *count is set to the
- * number of trials, which are sorted by size. */
+/* Index of the first trial that reaches the target or is near it; count if there is
+ * none. */
+static int first_sufficient(const struct search *search,
+                            const struct size_trial *trials, int count)
+{
+    int first = 0;
+    while (first < count && !reaches(search, &trials[first])
+           && !is_near(search, &trials[first]))
+        first++;
+    return first;
+}
+
+/* Evaluates the present room, and sizes over the whole range; between the first
+ * sufficient size and the largest, none. *count is set to the number of trials, which
+ * are sorted by size. */
 static enum pp_status scan_range(const struct search *search, struct size_trial *trials,
                                  int *count, struct pp_error *err)
 {
@@ -190,7 +203,9 @@ static enum pp_status scan_range(const struct search *search, struct size_trial 
 
     for (int i = 0; i < wanted && status == PP_OK; i++) {
         int step = (int)round((double)last * i / (wanted - 1));
-        int at = 0;
+        int at = 0, first = first_sufficient(search, trials, *count);
+        if (i < wanted - 1 && first < *count && trials[first].step < step)
+            continue;
         while (at < *count && trials[at].step < step)
             at++;
         if (at < *count && trials[at].step == step)
@@ -241,7 +256,7 @@ static enum pp_status search_sizes(const struct search *search,
 {
     struct size_trial trials[SCANNED + 1];
     struct pp_size_answer *answer = search->answer;
-    int count, first = 0, best = 0;
+    int count, best = 0;
     enum pp_status status = scan_range(search, trials, &count, err);
     *found = trials[0];
     if (status != PP_OK || !has_value(found))
@@ -251,9 +266,7 @@ static enum pp_status search_sizes(const struct search *search,
     for (int i = 0; i < count; i++)
         if (trials[i].reading.value > trials[best].reading.value)
             best = i;
-    while (first < count && !reaches(search, &trials[first])
-           && !is_near(search, &trials[first]))
-        first++;
+    int first = first_sufficient(search, trials, count);
     answer->verdict = first == count ? PP_SIZE_OUT_OF_REACH
                       : first == 0   ? PP_SIZE_SMALLEST_EXCEEDS
                                      : PP_SIZE_REACHED;

@@ -338,6 +338,36 @@ static void a_sampled_value_is_within_half_a_standard_error_after_few_looks(
     pp_building_destroy(building);
 }
 
+/* Number of sizes tried with a first opening of more than 1.45 m. */
+static int wide_tried;
+
+/* The first opening's width divided by 100 m. */
+static enum pp_status noted_width(void *data, const struct pp_world *world,
+                                  struct pp_reading *reading, struct pp_error *err)
+{
+    (void)data, (void)err;
+    wide_tried += world->openings[0].width_m > 1.45;
+    *reading = pp_reading_of(world->openings[0].width_m / 100.0);
+    return PP_OK;
+}
+
+/* The scan has steps of an eighth of the wall's 4.1 m: 1.45 m is one step beyond the
+ * sufficient 0.93 m. */
+static void beyond_the_first_sufficient_size_only_the_largest_is_tried(void **state)
+{
+    (void)state;
+    struct pp_building *building = parse(
+        ROOM("<window wall='south' left='1.3' sill='0.9' width='0.6' height='1.2'/>"));
+    wide_tried = 0;
+    struct pp_size_answer answer =
+        find(building, PP_CHANGE_WIDTH, 1, 0.0093, noted_width);
+    assert_near(place(answer.room, 0).width_m, 0.93, 0.003);
+    assert_near(answer.largest.value, 0.041, 1e-9);
+    assert_int_equal(wide_tried, 1);
+    pp_size_answer_clear(&answer);
+    pp_building_destroy(building);
+}
+
 /* ---- numbers of windows ---- */
 
 static void windows_stand_in_the_middle_of_their_shares_of_the_wall(void **state)
@@ -652,6 +682,7 @@ TEST_FILE
         cmocka_unit_test(a_change_that_does_nothing_reaches_nothing),
         cmocka_unit_test(
             a_sampled_value_is_within_half_a_standard_error_after_few_looks),
+        cmocka_unit_test(beyond_the_first_sufficient_size_only_the_largest_is_tried),
         cmocka_unit_test(windows_stand_in_the_middle_of_their_shares_of_the_wall),
         cmocka_unit_test(fewer_windows_leave_out_the_last),
         cmocka_unit_test(windows_that_are_not_alike_have_no_number),
