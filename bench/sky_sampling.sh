@@ -1,20 +1,23 @@
 #!/bin/sh
-# sky_sampling.sh PROGRAM [SAMPLES] - three ways to find the light of a photographed sky: by
+# sky_sampling.sh PROGRAM [SAMPLES | PICTURES] - three ways to find the light of a photographed sky: by
 # chance, as a cube of lamps, and by its bright parts. Two points and the working plane of a room
 # of 4 x 6 m are simulated under two skies, an overcast one and a clear one with a measured sun,
 # with SAMPLES paths (4096) in each of 16 randomisations on one processor. Prints, for each way,
 # the daylight factors with their standard errors, the time, and the time for the standard error
-# of the bright parts on the plane, relative to theirs. Two minutes of processor time.
+# of the bright parts on the plane, relative to theirs. Two minutes of processor time. With
+# PICTURES, a folder, it draws the room in the three ways instead, with 16 paths a pixel.
 set -eu
 LC_ALL=C
 export LC_ALL
 
 if [ $# -lt 1 ]; then
-    echo "usage: sky_sampling.sh PROGRAM [SAMPLES]" >&2
+    echo "usage: sky_sampling.sh PROGRAM [SAMPLES | PICTURES]" >&2
     exit 2
 fi
 pepperpot=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
 samples=${2:-4096}
+pictures=
+[ ! -d "$samples" ] || pictures=$(cd "$samples" && pwd)
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
@@ -71,8 +74,16 @@ table() {
     row "by chance" chance
 }
 
-photograph overcast.hdr overcast
 photograph clear.hdr iso-12,35,170
+if [ -n "$pictures" ]; then
+    for way in chance lamps bright; do
+        "$pepperpot" render --samples 16 --size 300x225 --exposure 6000 --quiet \
+            --sky "picture,clear.hdr,illuminance=48000,sun-illuminance=60000,sun-altitude=35,\
+sun-bearing=200,sampling=$way" -o "$pictures/sky-$way.png" room.xml
+    done
+    exit 0
+fi
+photograph overcast.hdr overcast
 sky=overcast.hdr
 table "overcast sky"
 sky=clear.hdr,illuminance=14000
