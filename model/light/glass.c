@@ -33,6 +33,9 @@ static struct pane_optics stack_of(struct pane_optics pane, int panes)
     return stack;
 }
 
+/* Cosine of grazing incidence: below it, the reflectance of a surface rounds to 1. */
+static const double GRAZING = 1e-12;
+
 /* Calculates Fresnel reflectances, adds the panes one by one, and returns the means of
  * both polarisations. */
 static void clear_stack(const struct pp_glass *glass, double cos_i, double *t,
@@ -58,7 +61,7 @@ void pp_glass_optics(const struct pp_glass *glass, double cos_incidence,
     } else if (glass->diffusing) {
         *transmittance = glass->diffuse;
         *reflectance = fmin(0.1, 1.0 - glass->diffuse);
-    } else if (!(cos_incidence > 0.0)) {
+    } else if (!(cos_incidence > GRAZING)) {
         *transmittance = 0.0;
         *reflectance = 1.0; /* limit at grazing incidence, where the formula is 0/0 */
     } else {

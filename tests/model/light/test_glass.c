@@ -76,8 +76,11 @@ static void lossless_glass_keeps_all_light(void **state)
             assert_near(pp_glass_transmittance(&glass, c)
                             + pp_glass_reflectance(&glass, c),
                         1.0, 1e-13);
-        assert_near(pp_glass_transmittance(&glass, 0.0), 0.0, 0.0);
-        assert_near(pp_glass_reflectance(&glass, 0.0), 1.0, 1e-13);
+        /* A direction in the plane of the glass may have a tiny cosine. */
+        for (double c = 0.0; c < 3e-17; c += 1e-17) {
+            assert_near(pp_glass_transmittance(&glass, c), 0.0, 0.0);
+            assert_near(pp_glass_reflectance(&glass, c), 1.0, 1e-13);
+        }
     }
 }
 
