@@ -1,7 +1,7 @@
 #!/bin/sh
 # compare_glare.sh PROGRAM [FILE.csv] - illuminance at the eye and DGP of 60 moments by PROGRAM's
 # `glare`, and by Radiance's evalglare on pictures by `render`: six rooms, two views of each and
-# five skies. Prints a table in Markdown; FILE.csv gets a line for each moment. Three minutes of
+# five skies. Prints a table in Markdown; FILE.csv gets a line for each moment. Seven minutes of
 # processor time. SIZE: pixels across a picture (default 256).
 set -eu
 LC_ALL=C
@@ -75,7 +75,7 @@ found() {
         { print $at["eye_lx"], $at["eye_se_lx"], $at["dgp"], $at["sun_visible"] }'
 }
 
-echo "room,view,sky,sun_visible,eye_lx,eye_se_lx,picture_lx,dgp,evalglare_dgp" >"$table"
+echo "room,view,sky,sun_visible,eye_lx,eye_se_lx,picture_lx,dgp,evalglare_dgp,specks" >"$table"
 for room in open reveal street corner rooflight furnished; do
     for number in 1 2; do
         # shellcheck disable=SC2046 # two words
@@ -90,13 +90,16 @@ for room in open reveal street corner rooflight furnished; do
                 "$scratch/$room.xml" >"$scratch/glare.csv"
             "$pepperpot" render -q --view angular --from "$at,1.2" --direction="$towards" \
                 --size "${size}x$size" --sky "$sky" -o "$scratch/view.hdr" "$scratch/$room.xml"
-            # The last line: names of the figures, a colon, and the figures.
+            # A line for each source: number, pixels, place, luminance. The last line: names of
+            # the figures, a colon, and the figures. Specks are sources of a few pixels above
+            # 100,000 cd/m2: parts of the disc of the sun, or light found by one path only.
             evalglare -d -b 2000 "$scratch/view.hdr" 2>/dev/null | awk '
+                /^[0-9]+ [0-9]+[.]/ && $2 < 10 && $5 > 1e5 { specks++ }
                 /^dgp,/ { split($0, half, ": "); split(half[2], figure, " ")
-                    print figure[3], figure[1] }' >"$scratch/picture"
+                    print figure[3], figure[1], specks + 0 }' >"$scratch/picture"
             # shellcheck disable=SC2046 # several words
             set -- $(found <"$scratch/glare.csv") $(cat "$scratch/picture")
-            echo "$room,$number,$(echo "$sky" | tr , ' '),$4,$1,$2,$5,$3,$6" >>"$table"
+            echo "$room,$number,$(echo "$sky" | tr , ' '),$4,$1,$2,$5,$3,$6,$7" >>"$table"
         done
     done
 done
@@ -107,8 +110,9 @@ awk -F, '
     function size(x) { return x < 0 ? -x : x }
     NR == 1 { next }
     {
-        n = kind[$4 == "yes" ? "sun in view" : "no sun in view"]++
-        k = $4 == "yes" ? "sun in view" : "no sun in view"
+        k = $4 == "yes" ? "sun in view" : $10 > 0 ? "no sun in view, a speck in the picture" \
+            : "no sun in view"
+        n = kind[k]++
         lx = size($5 / $7 - 1); dgp = size($8 - $9)
         if (!n || lx > most_lx[k]) most_lx[k] = lx
         if (!n || dgp > most_dgp[k]) most_dgp[k] = dgp

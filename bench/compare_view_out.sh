@@ -4,7 +4,7 @@
 # that PROGRAM's `export --to radiance` writes. Radiance's rtrace follows a ray from the eye for
 # every tenth of a degree of bearing and quarter of a degree of altitude, to the first surface or
 # pane, and from the pane to the first surface outside. Prints a line for each room and a summary.
-# FOLDER keeps the last room and the table. Five minutes of processor time.
+# FOLDER keeps the last room and the table. Three minutes of processor time.
 set -eu
 LC_ALL=C
 export LC_ALL
