@@ -116,6 +116,8 @@ static enum pp_status compute_glare_room(struct glare_run *run, int index,
     if (status == PP_OK && !run->is_year) {
         struct pp_error own = {0};
         status = pp_moment_choice_find(&moment, &options->moment, room->world, &own);
+        if (status == PP_OK)
+            status = pp_moment_turn_slats(room->world, &moment, &own);
         if (status != PP_OK)
             pp_fail(err, status, "%s: %s", pp_read_file_title(room->file), own.message);
     }

@@ -51,7 +51,7 @@ static bool add_moment_of_view(struct json_object *to,
                                  pp_glare_sheet_index(part), part->sum);
     }
     if (good && moment->sun.visible)
-        good = append_source(sources, "sun", PP_GLARE_SUN_SR, moment->sun.cd_m2,
+        good = append_source(sources, "sun", moment->sun.omega_sr, moment->sun.cd_m2,
                              moment->sun.index, moment->sun.sum);
     return good;
 }

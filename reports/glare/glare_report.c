@@ -83,7 +83,7 @@ static void print_sources(const struct pp_glare_sheet *sheet,
                          pp_glare_sheet_index(part), part->sum / moment->sum, out);
     }
     if (sun->visible)
-        print_source("sun", PP_GLARE_SUN_SR, sun->cd_m2, sun->index,
+        print_source("sun", sun->omega_sr, sun->cd_m2, sun->index,
                      sun->sum / moment->sum, out);
 }
 
@@ -134,9 +134,9 @@ static void print_notes(const struct pp_glare_sheet *sheet, int width, FILE *out
     print_sentence(formula_words, width, out);
     snprintf(
         text, sizeof text,
-        "Sources have %g cd/m2 or more. Windows have no blinds. Surfaces are matt, "
-        "without reflections of the sun.",
-        sheet->threshold_cd_m2);
+        "Sources have %g cd/m2 or more. %s. Surfaces are matt, without reflections of "
+        "the sun.",
+        sheet->threshold_cd_m2, pp_glare_sheet_devices(sheet));
     print_sentence(text, width, out);
     if (!sheet->is_year)
         return;

@@ -61,11 +61,27 @@ static void end_outside(struct pp_eye_ray *ray, const struct pp_light_scene *sce
     }
 }
 
+/* Records a pane that scatters light. through: transmittance in front of the pane. */
+static void note_pane(struct pp_eye_ray *ray, const struct pp_light_scene *scene,
+                      const struct pp_light_hit *hit, double through)
+{
+    int window = scene->parts[hit->part].window;
+    const struct pp_opening *opening = &scene->world->openings[window];
+    struct pp_vec3 travel = pp_vec_scale(ray->u, -1.0);
+    struct pp_vec3 out =
+        pp_vec(pp_vec_dot(travel, opening->along), pp_vec_dot(travel, opening->up),
+               pp_vec_dot(travel, opening->inner.normal));
+    ray->pane = window;
+    ray->pane_class = opening->scatter->class_of(opening->scatter->data, out);
+    ray->pane_share = through / ray->clear_share * scene->materials[hit->material].dirt;
+    ray->pane_at = (struct pp_lit_point){hit->point, pp_vec_scale(hit->normal, -1.0),
+                                         pp_light_scene_parts_space(scene, hit, true)};
+}
+
 static void follow_ray(struct pp_eye_ray *ray, const struct pp_light_scene *scene,
-                       struct pp_vec3 from, double ground_reflectance)
+                       struct pp_light_ray light, double ground_reflectance)
 {
     enum { PANES_MOST = 64 };
-    struct pp_light_ray light = {.from = from, .to = ray->u, .space = PP_INDOORS};
     struct pp_rgb through = pp_rgb_grey(1.0);
     for (int panes = 0; panes < PANES_MOST; panes++) {
         struct pp_light_hit hit;
@@ -86,14 +102,40 @@ static void follow_ray(struct pp_eye_ray *ray, const struct pp_light_scene *scen
         int window = scene->parts[hit.part].window;
         if (window >= 0 && ray->opening < 0)
             ray->opening = window;
+        bool scatters = window >= 0 && ray->pane < 0 && !hit.back
+                        && scene->world->openings[window].scatter;
+        if (scatters)
+            note_pane(ray, scene, &hit, through.g);
         hit.point = pp_rays_draw_back(hit.point, ray->u);
         if (!pp_light_scene_parts_pass(scene, &hit, &light, &through)) {
             end_at_part(ray, scene, &hit);
+            if (scatters)
+                ray->clear_share *= frame_factor(scene, window);
             return;
         }
         if (window >= 0)
             ray->clear_share *= frame_factor(scene, window);
     }
+}
+
+static struct pp_eye_ray ray_towards(struct pp_vec3 u)
+{
+    return (struct pp_eye_ray){
+        .u = u, .opening = -1, .clear_share = 1.0, .tag = -1, .pane = -1};
+}
+
+struct pp_eye_ray pp_eye_rays_outwards(const struct pp_light_scene *scene, int opening,
+                                       struct pp_vec3 u, double ground_reflectance)
+{
+    const struct pp_polygon *glass = &scene->world->openings[opening].outer;
+    struct pp_vec3 out = pp_vec_scale(glass->normal, -1.0);
+    struct pp_vec3 middle = pp_vec_sub(pp_polygon_middle(glass), scene->centre);
+    struct pp_eye_ray ray = ray_towards(u);
+    follow_ray(&ray, scene,
+               (struct pp_light_ray){
+                   .from = middle, .off = out, .to = u, .space = PP_OUTDOORS},
+               ground_reflectance);
+    return ray;
 }
 
 enum pp_status pp_eye_rays_init(struct pp_eye_rays *rays,
@@ -114,11 +156,12 @@ enum pp_status pp_eye_rays_init(struct pp_eye_rays *rays,
     struct pp_vec3 from = pp_vec_sub(eye->position, scene->centre);
     for (int i = 0; i < rays->count; i++) {
         struct pp_vec3 own = direction_of(side, i % side, i / side);
-        rays->list[i] = (struct pp_eye_ray){.u = pp_frame_out(&rays->view, own),
-                                            .opening = -1,
-                                            .clear_share = 1.0,
-                                            .tag = -1};
-        follow_ray(&rays->list[i], scene, from, ground_reflectance);
+        struct pp_eye_ray *ray = &rays->list[i];
+        *ray = ray_towards(pp_frame_out(&rays->view, own));
+        follow_ray(
+            ray, scene,
+            (struct pp_light_ray){.from = from, .to = ray->u, .space = PP_INDOORS},
+            ground_reflectance);
     }
     return PP_OK;
 }

@@ -1,5 +1,6 @@
 /* eye_rays.h - the surfaces that an eye sees, by rays that divide its field of view,
- * the hemisphere around the line of sight, into equal solid angles.
+ * the hemisphere around the line of sight, into equal solid angles; and those in front
+ * of a pane that scatters light.
  *
  * A square grid is mapped to a disc [SC97] and the disc to the hemisphere, both with
  * equal areas. One ray through the middle of each cell is followed through clear panes
@@ -30,6 +31,14 @@ struct pp_eye_ray {
     int tag;                /* surface: index in the world; ground: -1 */
     double reflectance;     /* of the ray's end; for a diffusing pane: transmittance */
     double exitance;        /* emitted by a surface, over Eh */
+
+    /* The first pane on the way that scatters light by direction (pane_scatter.h). The
+     * ray also has the light that this pane scatters towards the eye. */
+    int pane;                    /* index of its opening; -1: none */
+    int pane_class;              /* class of the light towards the eye */
+    double pane_share;           /* transmittance of the glass and dirt on the way,
+                                  * without the pane itself and without frames */
+    struct pp_lit_point pane_at; /* on the outside of the pane, from the centre */
 };
 
 struct pp_eye_rays {
@@ -48,6 +57,11 @@ enum pp_status pp_eye_rays_init(struct pp_eye_rays *rays,
                                 const struct pp_receiver *eye, int side,
                                 double ground_reflectance, struct pp_error *err);
 void pp_eye_rays_clear(struct pp_eye_rays *rays);
+
+/* Follows a ray from the outside of an opening, at the middle of its glass. u: unit,
+ * leads outwards. */
+struct pp_eye_ray pp_eye_rays_outwards(const struct pp_light_scene *scene, int opening,
+                                       struct pp_vec3 u, double ground_reflectance);
 
 /* Luminance of the sun seen from the eye through glass, divided by that of the sun: the
  * transmittance on the way, without frames; 0 if the sun is hidden. sun: unit. */

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "model/base/thread_pool.h"
+#include "model/room/build/device_states.h"
 #include "simulate/scene/light_scene_of_world.h"
 #include "studies/glare/dgp.h"
 #include "studies/glare/glare_view.h"
@@ -106,8 +107,8 @@ static enum pp_status begin_view(struct glare_work *work, int index,
 {
     struct pp_annual_options options = work->options->annual;
     enum pp_status status = pp_glare_view_init(
-        &work->view, work->scene, &work->room->light, &work->eyes[index],
-        work->year ? SIDE_YEAR : SIDE_MOMENT, err);
+        &work->view, work->scene, work->room->world, &work->room->light,
+        &work->eyes[index], work->year ? SIDE_YEAR : SIDE_MOMENT, err);
     options.samples = SURFACE_SAMPLES;
     options.error = 0.0;
     options.strict = false; /* the weather was checked for the eyes */
@@ -150,12 +151,16 @@ static enum pp_status judge_moment(struct glare_work *work, int view,
     float rest[PP_GLARE_SURFACES_MOST];
     moment->part_count = openings + 1;
     moment->parts = calloc((size_t)openings + 1, sizeof *moment->parts);
-    if (!moment->parts)
+    double *space = malloc(((size_t)work->view.work_count + 1) * sizeof *space);
+    if (!moment->parts || !space) {
+        free(space);
         return pp_fail_memory(err);
+    }
     rest_of_hour(work, 0, rest);
     moment->sum = pp_glare_view_sources(&work->view, &work->skies[0], rest,
                                         work->options->threshold_cd_m2, moment->parts,
-                                        openings, &moment->sun);
+                                        openings, &moment->sun, space);
+    free(space);
     moment->eye_lx = work->sheet->annual.points[view].year_lxh;
     double lx = moment->eye_lx.value, se = moment->eye_lx.std_error;
     moment->dgp.value = pp_dgp(lx, moment->sum);
@@ -173,17 +178,23 @@ static bool sum_hour(void *data, int worker, int sky)
     struct glare_work *work = data;
     int openings = work->room->world->opening_count;
     struct pp_glare_part *parts = malloc(((size_t)openings + 1) * sizeof *parts);
+    double *space = malloc(((size_t)work->view.work_count + 1) * sizeof *space);
     struct pp_glare_sun sun;
     float rest[PP_GLARE_SURFACES_MOST];
-    if (!parts)
+    if (!parts || !space) {
+        free(parts);
+        free(space);
         return false;
+    }
     rest_of_hour(work, sky, rest);
-    work->results[sky] = (struct hour_result){
-        pp_glare_view_sources(&work->view, &work->skies[sky], rest,
-                              work->options->threshold_cd_m2, parts, openings, &sun),
-        false, true};
+    work->results[sky] =
+        (struct hour_result){pp_glare_view_sources(&work->view, &work->skies[sky], rest,
+                                                   work->options->threshold_cd_m2,
+                                                   parts, openings, &sun, space),
+                             false, true};
     work->results[sky].sun = sun.visible;
     free(parts);
+    free(space);
     return true;
 }
 
@@ -321,10 +332,10 @@ static void clear_glare(struct glare_work *work)
     free(work->results);
 }
 
-int pp_glare_study_scattering(const struct pp_world *world)
+int pp_glare_study_turning(const struct pp_world *world)
 {
     for (int i = 0; i < world->opening_count; i++)
-        if (world->openings[i].scatter)
+        if (pp_device_states_follows(&world->openings[i]))
             return i;
     return -1;
 }
@@ -337,23 +348,25 @@ enum pp_status pp_glare_study_run(struct pp_glare_sheet *sheet,
                                   const struct pp_glare_options *options,
                                   struct pp_error *err)
 {
-    *sheet = (struct pp_glare_sheet){.world = room->world,
-                                     .views = views,
-                                     .view_count = view_count,
-                                     .threshold_cd_m2 = options->threshold_cd_m2,
-                                     .is_year = !moment};
+    *sheet =
+        (struct pp_glare_sheet){.world = room->world,
+                                .views = views,
+                                .view_count = view_count,
+                                .threshold_cd_m2 = options->threshold_cd_m2,
+                                .is_year = !moment,
+                                .has_devices = pp_device_states_exist(room->world)};
     struct glare_work work = {.sheet = sheet,
                               .room = room,
                               .moment = moment,
                               .year = moment ? NULL : year,
                               .options = options};
-    int pane = pp_glare_study_scattering(room->world);
-    if (pane >= 0)
+    int turning = pp_glare_study_turning(room->world);
+    if (!moment && turning >= 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s %s has a pane that scatters light by direction, whose "
-                       "luminance is not calculated; expected clear or diffusing glass",
-                       pp_world_kind(room->world, room->world->openings[pane].line),
-                       room->world->openings[pane].label);
+                       "the slats of %s %s follow the sun, and their glare over a year "
+                       "is not calculated; expected slats with an angle, or --when",
+                       pp_world_kind(room->world, room->world->openings[turning].line),
+                       room->world->openings[turning].label);
     enum pp_status status = prepare_glare(&work, err);
     if (status == PP_OK)
         status = light_eyes(&work, err);

@@ -24,12 +24,13 @@ extern const struct pp_glare_options pp_glare_options_default;
 /* Height of the eye of a seated person, m. */
 #define PP_GLARE_STUDY_EYE_M 1.2
 
-/* Index of an opening whose pane scatters light by direction; -1: there is none. */
-int pp_glare_study_scattering(const struct pp_world *world);
+/* Index of an opening with slats that follow the sun, whose glare is not calculated
+ * over a year; -1: there is none. */
+int pp_glare_study_turning(const struct pp_world *world);
 
 /* Calculates glare at a moment (year is NULL) or over a year (moment is NULL). views:
- * at least one view of the room; must exist as long as *sheet. PP_BAD_INPUT if a pane
- * scatters by direction. The caller clears *sheet, even after a failure. */
+ * at least one view of the room; must exist as long as *sheet. PP_BAD_INPUT over a
+ * year if slats follow the sun. The caller clears *sheet, even after a failure. */
 enum pp_status pp_glare_study_run(struct pp_glare_sheet *sheet,
                                   const struct pp_study_room *room,
                                   const struct pp_world_view *views, int view_count,

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "model/light/slats/blind_scatter.h"
 #include "simulate/year/sun_on_surface.h"
 #include "studies/glare/dgp.h"
 
@@ -91,13 +92,30 @@ static int plane_with(struct pp_glare_view *view, struct pp_vec3 normal)
     return view->plane_count++;
 }
 
+/* Finds the planes of outdoor surfaces in front of panes that scatter light, and the
+ * size of the work space: luminances of the rays of a pane, and of the rows. */
+static void prepare_panes(struct pp_glare_view *view)
+{
+    int most = 0;
+    for (int k = 0; k < view->panes.count; k++) {
+        struct pp_glare_pane *pane = &view->panes.list[k];
+        most = pane->ray_count > most ? pane->ray_count : most;
+        for (int i = 0; i < pane->ray_count; i++)
+            if (is_outdoors(&pane->rays[i]))
+                pane->plane_of[i] = plane_with(view, pane->rays[i].at.normal);
+    }
+    view->work_count = view->panes.row_count + most;
+}
+
 enum pp_status pp_glare_view_init(struct pp_glare_view *view,
                                   const struct pp_light_scene *scene,
+                                  const struct pp_world *world,
                                   const struct pp_outside_light *light,
                                   const struct pp_receiver *eye, int side,
                                   struct pp_error *err)
 {
-    *view = (struct pp_glare_view){.scene = scene, .light = light, .eye = *eye};
+    *view = (struct pp_glare_view){
+        .scene = scene, .world = world, .light = light, .eye = *eye};
     enum pp_status status =
         pp_eye_rays_init(&view->rays, scene, eye, side, light->ground_reflectance, err);
     if (status != PP_OK)
@@ -115,12 +133,18 @@ enum pp_status pp_glare_view_init(struct pp_glare_view *view,
         view->indices[i] = pp_dgp_position_index(&view->rays.view, ray->u);
         view->plane_of[i] = is_outdoors(ray) ? plane_with(view, ray->at.normal) : -1;
     }
+    status = pp_glare_panes_init(&view->panes, scene, world, &view->rays,
+                                 light->ground_reflectance, err);
+    if (status != PP_OK)
+        return status;
+    prepare_panes(view);
     return choose_surfaces(view, err);
 }
 
 void pp_glare_view_clear(struct pp_glare_view *view)
 {
     pp_eye_rays_clear(&view->rays);
+    pp_glare_panes_clear(&view->panes);
     free(view->indices);
     free(view->surface_of);
     free(view->plane_of);
@@ -179,12 +203,12 @@ static double sun_lx(const struct outdoor_hour *hour, const struct pp_eye_ray *r
            * pp_sun_on_surface(hour->view->scene, &ray->at, hour->sky->sun, &opening);
 }
 
-/* Luminance of ray i, cd/m2. */
-static double luminance_of(const struct outdoor_hour *hour, int i, const float *rest_lx)
+/* Luminance behind the panes of a ray, cd/m2. plane: index of the plane of an outdoor
+ * surface, or -1; rest_lx: illuminance of an indoor surface without direct sun. */
+static double luminance_behind(const struct outdoor_hour *hour,
+                               const struct pp_eye_ray *ray, int plane, double rest_lx)
 {
-    const struct pp_glare_view *view = hour->view;
-    const struct pp_eye_ray *ray = &view->rays.list[i];
-    double lx = 0.0;
+    double lx = rest_lx;
     switch (ray->end) {
     case PP_EYE_NOTHING:
         return 0.0;
@@ -195,15 +219,69 @@ static double luminance_of(const struct outdoor_hour *hour, int i, const float *
     case PP_EYE_FACE:
     case PP_EYE_SURFACE:
     case PP_EYE_PANE:
-        lx = sun_lx(hour, ray);
+        lx += sun_lx(hour, ray);
         break;
     }
-    if (view->plane_of[i] >= 0)
-        lx += hour->plane_lx[view->plane_of[i]];
-    else if (view->surface_of[i] >= 0)
-        lx += fmax(0.0, rest_lx[view->surface_of[i]]);
+    if (plane >= 0)
+        lx += hour->plane_lx[plane];
     return ray->transmittance * (ray->reflectance * lx + ray->exitance * hour->open_lx)
            / PP_PI;
+}
+
+/* Luminances of the rows without direct sun; work: a pane's rays follow the rows. */
+static void light_rows(const struct outdoor_hour *hour, double *work)
+{
+    const struct pp_glare_panes *panes = &hour->view->panes;
+    double *outside = work + panes->row_count;
+    for (int k = 0; k < panes->count; k++) {
+        const struct pp_glare_pane *pane = &panes->list[k];
+        for (int i = 0; i < pane->ray_count; i++)
+            outside[i] = luminance_behind(hour, &pane->rays[i], pane->plane_of[i], 0.0);
+        for (int r = 0; r < panes->row_count; r++)
+            if (panes->rows[r].pane == k)
+                work[r] = pp_glare_panes_luminance(panes, r, outside);
+    }
+}
+
+/* Luminance by the light that a pane scatters towards the eye, cd/m2. */
+static double scattered_luminance(const struct outdoor_hour *hour, int i,
+                                  const double *rows)
+{
+    const struct pp_glare_view *view = hour->view;
+    const struct pp_eye_ray *ray = &view->rays.list[i];
+    int row = view->panes.row_of_ray[i], opening;
+    if (row < 0)
+        return 0.0;
+    double L = rows[row];
+    if (hour->sky->direct_lx > 0.0)
+        L += hour->sky->direct_lx
+             * pp_sun_on_surface(view->scene, &ray->pane_at, hour->sky->sun, &opening)
+             * pp_sun_on_surface_scattered(&view->world->openings[ray->pane],
+                                           hour->sky->sun, ray->pane_class);
+    return ray->pane_share * L;
+}
+
+/* Luminance of ray i, cd/m2. */
+static double luminance_of(const struct outdoor_hour *hour, int i, const float *rest_lx,
+                           const double *rows)
+{
+    const struct pp_glare_view *view = hour->view;
+    int surface = view->surface_of[i];
+    return luminance_behind(hour, &view->rays.list[i], view->plane_of[i],
+                            surface >= 0 ? fmax(0.0, rest_lx[surface]) : 0.0)
+           + scattered_luminance(hour, i, rows);
+}
+
+/* Share of the sun's disc that is visible between the slats of an opening; 1 without
+ * slats. */
+static double visible_share(const struct pp_opening *opening, struct pp_vec3 sun)
+{
+    if (!opening->blind)
+        return 1.0;
+    return pp_blind_scatter_gaps(opening->blind,
+                                 pp_vec(-pp_vec_dot(sun, opening->along),
+                                        -pp_vec_dot(sun, opening->up),
+                                        -pp_vec_dot(sun, opening->inner.normal)));
 }
 
 static struct pp_glare_sun sun_seen(const struct pp_glare_view *view,
@@ -217,26 +295,30 @@ static struct pp_glare_sun sun_seen(const struct pp_glare_view *view,
         pp_eye_rays_to_sun(view->scene, view->eye.position, sky->sun, &sun.opening);
     if (!(share > 0.0))
         return sun;
-    double omega_sr = PP_GLARE_SUN_SR;
+    double visible = sun.opening >= 0
+                         ? visible_share(&view->world->openings[sun.opening], sky->sun)
+                         : 1.0;
     sun.visible = true;
-    sun.cd_m2 = share * sky->direct_lx / omega_sr;
+    sun.omega_sr = visible * PP_GLARE_SUN_SR;
+    sun.cd_m2 = share * sky->direct_lx / sun.omega_sr;
     sun.index = pp_dgp_position_index(&view->rays.view, sky->sun);
-    sun.sum = sun.cd_m2 * sun.cd_m2 * omega_sr / (sun.index * sun.index);
+    sun.sum = sun.cd_m2 * sun.cd_m2 * sun.omega_sr / (sun.index * sun.index);
     return sun;
 }
 
 double pp_glare_view_sources(const struct pp_glare_view *view,
                              const struct pp_perez_sky *sky, const float *rest_lx,
                              double threshold_cd_m2, struct pp_glare_part *parts,
-                             int opening_count, struct pp_glare_sun *sun)
+                             int opening_count, struct pp_glare_sun *sun, double *work)
 {
     struct outdoor_hour hour = hour_of(view, sky);
     double total = 0.0;
+    light_rows(&hour, work);
     for (int k = 0; k <= opening_count; k++)
         parts[k] = (struct pp_glare_part){0};
     for (int i = 0; i < view->rays.count; i++) {
         const struct pp_eye_ray *ray = &view->rays.list[i];
-        double L = luminance_of(&hour, i, rest_lx), P = view->indices[i];
+        double L = luminance_of(&hour, i, rest_lx, work), P = view->indices[i];
         if (!(L >= threshold_cd_m2))
             continue;
         struct pp_glare_part *part =

@@ -49,7 +49,23 @@ check "its JSON" shows '"hours_above_0.45"' $year -f json "$room"
 check "a night shift has no glare" shows "EN 17037: level high" $year --hours 20-24 "$room"
 check "dark hours are occupied hours" shows '"occupied_hours": 3650' $year -f json "$room"
 
+# With its blind closed, the window is no source above 5000 cd/m2.
+sed 's|height="1.6" name="Big"/>|height="1.6" name="Big"><blind angle="-50"/></window>|' "$room" \
+    >"$scratch/slats.xml"
+check "a blind" shows "no source of 5000 cd/m2 or more" $glare $sky --threshold 5000 \
+    "$scratch/slats.xml"
+check "is closed" shows "curtains are closed" $glare $sky "$scratch/slats.xml"
+check "in all hours of a year" shows "Blinds, screens and curtains" $year "$scratch/slats.xml"
+sed 's|angle="-50"|cut-off="yes"|' "$scratch/slats.xml" >"$scratch/turning.xml"
+check "slats that follow the sun" shows "DGP 0." $glare $sky "$scratch/turning.xml"
+check "but not over a year" refuses 1 "expected slats with an angle, or --when" $year \
+    "$scratch/turning.xml"
+
 assess="assess --samples 16 -c glare"
+check "a criterion with slats that follow the sun" shows "slats follow the sun" \
+    $assess -w "$scratch/year.epw" "$scratch/turning.xml"
+check "a criterion with a blind" shows "curtains closed in all hours" \
+    $assess -w "$scratch/year.epw" "$scratch/slats.xml"
 check "a criterion" shows "desk, minimum: hours with DGP" \
     $assess -w "$scratch/year.epw" "$room"
 check "a view into the room meets all levels" shows "view 2, high" \

@@ -94,12 +94,17 @@ static struct pp_vec3 reversed(struct pp_vec3 d)
 
 /* ---- the functions of the pane ---- */
 
+double pp_blind_scatter_gaps(const struct pp_blind *blind, struct pp_vec3 in)
+{
+    return pp_slats_straight(&blind->device.slats, profile_of(blind, in));
+}
+
 /* Straight light only; light reflected between the panes before and behind the slats is
  * part of N. */
 static double blind_straight(const void *data, struct pp_vec3 in)
 {
     const struct pp_blind *blind = data;
-    return pp_slats_straight(&blind->device.slats, profile_of(blind, in))
+    return pp_blind_scatter_gaps(blind, in)
            * pp_glass_transmittance(&blind->outer, fabs(in.z))
            * pp_glass_transmittance(&blind->inner, fabs(in.z));
 }

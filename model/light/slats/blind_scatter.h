@@ -9,6 +9,10 @@
  * set before the call. */
 void pp_blind_scatter_init(struct pp_blind *blind);
 
+/* Share of light with this direction of travel, in the axes of the pane, that passes
+ * straight between the slats, without the glass. */
+double pp_blind_scatter_gaps(const struct pp_blind *blind, struct pp_vec3 in);
+
 /* Range of the sine of the profile angle in a bin of `count` from -90 to 90 degrees. */
 double pp_blind_scatter_range(int bin, int count);
 

@@ -35,6 +35,13 @@ double pp_glare_sheet_index(const struct pp_glare_part *part)
     return sqrt(part->square / part->sum);
 }
 
+const char *pp_glare_sheet_devices(const struct pp_glare_sheet *sheet)
+{
+    return !sheet->has_devices ? "Windows have no blinds"
+           : sheet->is_year    ? "Blinds, screens and curtains are closed in all hours"
+                               : "Blinds, screens and curtains are closed";
+}
+
 void pp_glare_sheet_clear(struct pp_glare_sheet *sheet)
 {
     for (int i = 0; i < sheet->view_count; i++) {

@@ -39,7 +39,8 @@ double pp_glare_sheet_index(const struct pp_glare_part *part);
 
 struct pp_glare_sun {
     bool visible;
-    int opening; /* opening through which the sun is seen; -1: none */
+    int opening;     /* opening through which the sun is seen; -1: none */
+    double omega_sr; /* of the visible part of its disc */
     double cd_m2, index, sum;
 };
 
@@ -67,6 +68,7 @@ struct pp_glare_sheet {
     int view_count;
     double threshold_cd_m2;
     bool is_year;
+    bool has_devices;                /* a window has a blind, screen or curtain */
     struct pp_glare_moment *moments; /* by view; owned; NULL for a year */
     struct pp_glare_year *years;     /* by view; owned; NULL for a moment */
     struct pp_annual_sheet annual;   /* illuminances at the eyes, hours and sentences */
@@ -75,6 +77,9 @@ struct pp_glare_sheet {
 /* Level of EN 17037 5.4: "high", "medium", "minimum" or "none". At a level, the DGP
  * exceeds its limit (0.35, 0.40, 0.45) in at most 5 % of the occupied hours. */
 const char *pp_glare_sheet_level(const struct pp_glare_year *year, double occupied_h);
+
+/* State of blinds, screens and curtains, as a sentence without a full stop. */
+const char *pp_glare_sheet_devices(const struct pp_glare_sheet *sheet);
 
 void pp_glare_sheet_clear(struct pp_glare_sheet *sheet);
 

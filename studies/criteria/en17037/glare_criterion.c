@@ -3,9 +3,9 @@
  *
  *   minimum 0.45, medium 0.40, high 0.35
  *
- * Calculated for every view of the room file, at 8 to 18 h on all days. The windows are
- * assumed to have no blinds. The standard assesses a room with its blinds in use,
- * whereas the level here is that of the unshaded room.
+ * Calculated for every view of the room file, at 8 to 18 h on all days. Blinds, screens
+ * and curtains of the room are closed in all hours. Without such devices the level is
+ * that of the unshaded room. The standard assesses a room with its blinds in use.
  */
 #include <stdio.h>
 
@@ -38,7 +38,10 @@ static enum pp_status add_view_levels(const struct pp_glare_sheet *glare, int vi
         finding.level = PP_GLARE_LIMITS - i;
         finding.is_optional = i < PP_GLARE_LIMITS - 1;
         if (i == PP_GLARE_LIMITS - 1 && finding.verdict != PP_MET)
-            pp_finding_note(&finding, "without blinds; a blind is required");
+            pp_finding_note(&finding,
+                            glare->has_devices
+                                ? "with the devices of the room file in all hours"
+                                : "without blinds; a blind is required");
         status = pp_finding_list_add(findings, &finding, err);
     }
     return status;
@@ -53,8 +56,8 @@ static enum pp_status evaluate_glare(const struct pp_inquiry *inquiry,
         inquiry->world->view_count == 0
             ? "the room file has no view; expected <view x=\"2\" y=\"3\" "
               "bearing=\"180\"/>"
-        : pp_glare_study_scattering(inquiry->world) >= 0
-            ? "a pane scatters light by direction, whose luminance is not calculated"
+        : pp_glare_study_turning(inquiry->world) >= 0
+            ? "slats follow the sun, and their glare over a year is not calculated"
         : !glare
             ? "no year was simulated; expected --weather FILE.epw, and no --by-hand"
         : !glare->annual.finished ? "the simulation of the year was interrupted"
@@ -67,8 +70,11 @@ static enum pp_status evaluate_glare(const struct pp_inquiry *inquiry,
     pp_finding_list_add_basis(
         findings,
         "daylight glare probability in %.0f occupied hours, 8 to 18 h on all days, "
-        "without blinds; sources have %g cd/m2 or more",
-        glare->annual.occupied_h, glare->threshold_cd_m2);
+        "%s; sources have %g cd/m2 or more",
+        glare->annual.occupied_h,
+        glare->has_devices ? "with blinds, screens and curtains closed in all hours"
+                           : "without blinds",
+        glare->threshold_cd_m2);
     enum pp_status status = PP_OK;
     for (int v = 0; v < glare->view_count && status == PP_OK; v++)
         status = add_view_levels(glare, v, findings, err);

@@ -93,7 +93,7 @@ enum pp_status pp_assessed_year_simulate(struct pp_assessment *assessment,
     enum pp_status status = simulate_points(assessment, chosen, needed, options, err);
     if (status == PP_OK && options->year && options->study->simulate
         && assessment->room->world->view_count > 0 && glare_is_chosen(chosen)
-        && pp_glare_study_scattering(assessment->room->world) < 0)
+        && pp_glare_study_turning(assessment->room->world) < 0)
         status = simulate_glare(assessment, options, err);
     return status;
 }

@@ -3,7 +3,9 @@
 #include "tests/lib/near.h"
 #include "tests/lib/room_of.h"
 
+#include "model/light/bsdf/measured_pane.h"
 #include "studies/glare/glare_study.h"
+#include "tests/lib/made_bsdf.h"
 
 #define OPEN_ROOM                                                                      \
     "<room version='1'><site ground='open'/>"                                          \
@@ -178,6 +180,126 @@ static void a_diffusing_pane_is_one_even_source(void **state)
     pp_world_destroy(world);
 }
 
+/* ---- panes that scatter light by direction ---- */
+
+/* A black room with a window of 1 x 0.6 m, 4.9 m straight ahead of the eye. Its light is
+ * the only light at the eye. */
+#define FAR_WINDOW                                                                     \
+    "<room version='1'><site ground='open'/>"                                          \
+    "<plan width='4' depth='5' height='2.8'/>"                                         \
+    "<finishes floor='0' walls='0' ceiling='0'/>"                                      \
+    "<window wall='south' left='1.5' sill='0.9' width='1' height='0.6' "
+#define FAR_EYE "<view x='2' y='4.9' bearing='180'/></room>"
+
+/* Illuminance at the eye over the luminance of that window: configuration factor times
+ * pi, from four corners (x, y) at the distance d. */
+static double far_window_projected_sr(void)
+{
+    double x = 0.5 / 4.9, y = 0.3 / 4.9, rx = sqrt(1.0 + x * x), ry = sqrt(1.0 + y * y);
+    return 2.0 * (x / rx * atan(y / rx) + y / ry * atan(x / ry));
+}
+
+/* The simulation of Ev follows light paths, and knows nothing of the luminances. The
+ * field of view resolves the edges of the window to 2 %, but not its mean luminance. */
+static void assert_window_lights_the_eye(struct pp_world *world,
+                                         const struct pp_outside_light *light, int sky)
+{
+    struct pp_study_room room = {.file = "test", .world = world, .light = *light};
+    struct pp_glare_options options = pp_glare_options_default;
+    struct pp_glare_sheet sheet;
+    struct pp_moment moment;
+    options.annual.samples = 128;
+    options.annual.threads = 1;
+    options.threshold_cd_m2 = 1.0;
+    assert_int_equal(pp_moment_of_standard(&moment, &skies[sky], NULL), PP_OK);
+    assert_int_equal(pp_glare_study_run(&sheet, &room, world->views, 1, &moment, NULL,
+                                        &options, NULL),
+                     PP_OK);
+    struct pp_annual_value lx = sheet.moments[0].eye_lx;
+    double cd_m2 = pp_glare_sheet_luminance(&sheet.moments[0].parts[0]);
+    assert_false(sheet.moments[0].sun.visible);
+    assert_near(cd_m2 * far_window_projected_sr(), lx.value,
+                4.0 * lx.std_error + 0.01 * lx.value);
+    pp_glare_sheet_clear(&sheet);
+}
+
+static void luminance_of_a_blind_gives_the_light_at_the_eye(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *xml;
+        int sky;
+    } of[] = {{FAR_WINDOW "glazing='none'><blind slat-width='0.025' spacing='0.02' "
+                          "angle='-45' reflectance='0.6'/></window>" FAR_EYE,
+               OVERCAST},
+              {FAR_WINDOW "glazing='none'><blind slat-width='0.025' spacing='0.02' "
+                          "angle='-45' reflectance='0.6'/></window>" FAR_EYE,
+               SUN},
+              {FAR_WINDOW
+               "glazing='clear-double' maintenance='0.8'>"
+               "<blind slat-width='0.03' spacing='0.02' angle='40' direction="
+               "'vertical' reflectance='0.7'/></window>" FAR_EYE,
+               LOW_SUN}};
+    for (int i = 0; i < 3; i++) {
+        struct pp_outside_light light;
+        struct pp_world *world = pp_test_lit_world(&light, of[i].xml);
+        assert_window_lights_the_eye(world, &light, of[i].sky);
+        pp_world_destroy(world);
+    }
+}
+
+static void luminance_of_measured_glazing_gives_the_light_at_the_eye(void **state)
+{
+    (void)state;
+    static const int under[] = {OVERCAST, SUN};
+    for (int k = 0; k < 2; k++) {
+        struct pp_outside_light light;
+        struct pp_bsdf bsdf;
+        struct pp_measured_pane *pane = NULL;
+        struct pp_world *world = pp_test_lit_world(&light, FAR_WINDOW "/>" FAR_EYE);
+        struct made_bsdf file = made_bsdf_front("LBNL/Klems Quarter", made_bsdf_prism);
+        assert_int_equal(
+            pp_bsdf_file_parse(&bsdf, file.text, file.length, "made.xml", NULL), PP_OK);
+        assert_int_equal(pp_measured_pane_create(&pane, &bsdf, true, NULL), PP_OK);
+        pp_bsdf_clear(&bsdf);
+        free(file.text);
+        world->openings[0].measured = pane;
+        world->openings[0].scatter = &pane->scatter;
+        assert_window_lights_the_eye(world, &light, under[k]);
+        pp_world_destroy(world);
+    }
+}
+
+/* Level slats of 25 mm at 20 mm leave 1 - 1.25 tan p between them for the sun at a
+ * profile angle p of 25 degrees: that share of its disc is seen, undimmed. */
+static void a_share_of_the_sun_is_seen_between_slats(void **state)
+{
+    (void)state;
+    static const struct pp_moment_standard sun = {
+        "iso-12", 12, 25.0 * PP_RAD, 180.0 * PP_RAD, 70000.0, 12000.0};
+    struct pp_study_room room = {.file = "test"};
+    struct pp_moment moment;
+    struct pp_glare_options options = pp_glare_options_default;
+    struct pp_glare_sheet sheet;
+    room.world = pp_test_lit_world(
+        &room.light, OPEN_ROOM "><blind slat-width='0.025' spacing='0.02' angle='0' "
+                               "reflectance='0.6'/></window>"
+                               "<view x='2' y='2' bearing='180'/></room>");
+    options.annual.samples = 64;
+    options.annual.threads = 1;
+    assert_int_equal(pp_moment_of_standard(&moment, &sun, NULL), PP_OK);
+    assert_int_equal(pp_glare_study_run(&sheet, &room, room.world->views, 1, &moment,
+                                        NULL, &options, NULL),
+                     PP_OK);
+    const struct pp_glare_sun *seen = &sheet.moments[0].sun;
+    double share = 1.0 - 1.25 * tan(25.0 * PP_RAD);
+    assert_true(seen->visible);
+    assert_near(seen->omega_sr, share * 6.7967e-5, 1e-8);
+    assert_relative(seen->cd_m2, 70000.0 / 6.7967e-5, 1e-3);
+    pp_glare_sheet_clear(&sheet);
+    pp_world_destroy(room.world);
+}
+
 /* A year with one occupied hour has the DGP of that moment, calculated with patches,
  * cells and a coarser field of view. DGP is always above 0.45, so no level of EN 17037
  * is met. */
@@ -224,6 +346,9 @@ TEST_FILE
         cmocka_unit_test(frames_take_solid_angle_and_dirt_takes_luminance),
         cmocka_unit_test(obstructions_hide_the_sky_and_may_be_sources),
         cmocka_unit_test(a_diffusing_pane_is_one_even_source),
+        cmocka_unit_test(luminance_of_a_blind_gives_the_light_at_the_eye),
+        cmocka_unit_test(luminance_of_measured_glazing_gives_the_light_at_the_eye),
+        cmocka_unit_test(a_share_of_the_sun_is_seen_between_slats),
         cmocka_unit_test(an_hour_of_the_year_has_the_glare_of_its_moment),
     };
     add_tests(tests, NULL, NULL);
