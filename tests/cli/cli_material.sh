@@ -49,6 +49,32 @@ check "--gloss exports varnish on paint as plastic" "$pepperpot" export --to rad
     --gloss --force -o "$scratch/gloss" "$scratch/varnish.xml"
 check "whose colour is at most 1" sh -c "grep -A 3 ' plastic floor' '$scratch/gloss/materials.rad' |
     awk 'NR == 4 { found = \$2 > 0.9 && \$2 <= 1 && \$5 > 0 && \$5 < 0.1 } END { exit !found }'"
+# A light pipe: a shaft of mirrors hides no sky, whose luminance depends on the altitude only. A
+# reflection loses up to 0.2 %, and the point beside the shaft sees five of them.
+pipe() { # walls of the shaft above the rooflight
+    cat <<END
+<room version="1"><plan width="4" depth="5" height="2.8"/>
+<material name="mirror" n="0.01" k="20" roughness="0.001" correlation-length="1"/>
+<rooflight x="1.8" y="2.3" width="0.4" depth="0.4" glazing="none"/>
+$1<point x="2" y="2.5"/><point x="2" y="1"/></room>
+END
+}
+wall() { # X1 Y1 X2 Y2
+    for corner in "$1 $2 2.8" "$3 $4 2.8" "$3 $4 4.8" "$1 $2 4.8"; do
+        echo "$corner" | awk '{ printf "<vertex x=\"%s\" y=\"%s\" z=\"%s\"/>", $1, $2, $3 }'
+    done | sed 's/^/<surface reflectance="#mirror">/; s/$/<\/surface>/'
+}
+pipe "" >"$scratch/hole.xml"
+pipe "$(wall 1.8 2.3 2.2 2.3 && wall 2.2 2.3 2.2 2.7 && wall 2.2 2.7 1.8 2.7 &&
+    wall 1.8 2.7 1.8 2.3)" >"$scratch/pipe.xml"
+"$pepperpot" df -s --samples 16 --format csv "$scratch/hole.xml" >"$scratch/hole"
+"$pepperpot" df -s --samples 16 --format csv "$scratch/pipe.xml" >"$scratch/pipe"
+passes() {
+    { factors traced "$scratch/hole"; factors traced "$scratch/pipe"; } | tr '\n' ' ' | awk '
+        { print } END { exit !(NF == 4 && $3 > 0.98 * $1 && $3 < 1.003 * $1 &&
+            $4 > 0.97 * $2 && $4 < 1.005 * $2) }'
+}
+check "a shaft of mirrors passes the light of a rooflight" passes
 same() { # 40 materials with the same optics; only the name differs
     sed -n 1p "$room"
     for i in $(seq 40); do sed -n 2,3p "$room" | sed "s/\"copper\"/\"m$i\"/"; done

@@ -1,5 +1,5 @@
-/* test_blind_box.c - a blind treated as a scattering pane, compared with its slats as
- * surfaces, and light from black and white slats. */
+/* test_blind_box.c - blinds and screens treated as scattering panes, compared with their
+ * slats and strips as surfaces, and light from black and white slats. */
 #include <stdlib.h>
 
 #include "tests/lib/room_of.h"
@@ -75,6 +75,29 @@ static void a_blind_gives_the_light_of_its_slats(void **state)
     free(slats);
 }
 
+/* Strips of 25 mm every 40 mm in one plane have an openness of 0.375 at all angles. */
+static void a_screen_gives_the_light_of_strips_in_one_plane(void **state)
+{
+    (void)state;
+    char *strips = malloc(XML / 2);
+    int length = 0;
+    for (int i = 0; i < 37; i++) {
+        double z = 0.82 + 0.04 * i;
+        length += snprintf(
+            strips + length, XML / 2 - (size_t)length,
+            "<surface reflectance='0.5'><vertex x='0.9' y='0.005' z='%.4f'/>"
+            "<vertex x='3.1' y='0.005' z='%.4f'/><vertex x='3.1' y='0.005' z='%.4f'/>"
+            "<vertex x='0.9' y='0.005' z='%.4f'/></surface>",
+            z, z, z + 0.025, z + 0.025);
+    }
+    struct pp_reading box =
+        factor_of("none", "<screen openness='0.375' reflectance='0.5'/>", "", 1024);
+    struct pp_reading truth = factor_of("none", "", strips, 512);
+    assert_near(box.value, truth.value,
+                0.015 * truth.value + 3.0 * hypot(box.std_error, truth.std_error));
+    free(strips);
+}
+
 static void closed_black_slats_let_nothing_pass(void **state)
 {
     (void)state;
@@ -100,6 +123,7 @@ TEST_FILE
 {
     static const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_blind_gives_the_light_of_its_slats),
+        cmocka_unit_test(a_screen_gives_the_light_of_strips_in_one_plane),
         cmocka_unit_test(closed_black_slats_let_nothing_pass),
         cmocka_unit_test(the_narrowest_slats_hide_nothing),
     };
