@@ -122,6 +122,38 @@ static void sunlight_on_a_level_point_is_by_the_sine(void **state)
     pp_world_destroy(world);
 }
 
+/* Below an opening of 120 x 120 m, 0.05 m above the point, the whole sky is visible:
+ * the light is diffuse plus direct times the sine of the sun's altitude. A public answer
+ * adds direct times the cosine to the global illuminance, more than 1.5 times as much. */
+static void open_plane_has_diffuse_light_and_direct_by_the_sine(void **state)
+{
+    (void)state;
+    struct pp_outside_light light;
+    struct pp_annual_sheet sheet;
+    struct pp_moment moment;
+    struct pp_moment_irradiances of = golden;
+    of.sun_altitude_rad = 30.0 * PP_RAD;
+    of.sun_bearing_rad = 160.0 * PP_RAD;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'><plan width='121' depth='121' height='0.5'/>"
+                "<finishes floor='0' walls='0' ceiling='0'/>"
+                "<rooflight x='0.5' y='0.5' width='120' depth='120' glazing='none'/>"
+                "<working-plane height='0.45'/><point x='60' y='60'/></room>");
+    assert_int_equal(pp_moment_of_irradiances(&moment, &of, NULL), PP_OK);
+    const struct pp_annual_options options = {.samples = 64, .seed = 1, .threads = 1};
+    assert_int_equal(pp_moment_of_room(&sheet, world, &light, world->receivers, 1,
+                                       &moment, &options, NULL),
+                     PP_OK);
+    double diffuse = moment.sky.diffuse_lx, direct = moment.sky.direct_lx;
+    double lx = sheet.points[0].year_lxh.value;
+    assert_near(lx, diffuse + direct * sin(30.0 * PP_RAD),
+                3.0 * sheet.points[0].year_lxh.std_error + 2e-3 * lx);
+    assert_true(diffuse + direct * (sin(30.0 * PP_RAD) + cos(30.0 * PP_RAD))
+                > 1.5 * lx);
+    pp_annual_sheet_clear(&sheet);
+    pp_world_destroy(world);
+}
+
 /* Compares a moment at three points of a room with another engine: the path tracer of
  * pictures, in which the sun is a distant source. */
 static void compare_with_pictures(const char *window_and_outside)
@@ -234,6 +266,7 @@ TEST_FILE
         cmocka_unit_test(pictures_have_the_sun_that_a_blind_scatters),
         cmocka_unit_test(sunlit_ground_gives_back_its_share),
         cmocka_unit_test(sunlight_on_a_level_point_is_by_the_sine),
+        cmocka_unit_test(open_plane_has_diffuse_light_and_direct_by_the_sine),
     };
     add_tests(tests, NULL, NULL);
 }
