@@ -330,6 +330,20 @@ static enum pp_status stand_in(struct pp_report *report, struct pp_error *err)
                             : pp_fail_memory(err);
 }
 
+/* Calculates the illuminances of the open sky on the planes of all openings, which most
+ * methods and the light bound need. */
+static enum pp_status find_planes(struct pp_outside_planes *planes,
+                                  const struct pp_report *report, struct pp_error *err)
+{
+    const struct pp_world *world = report->world;
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < world->opening_count && status == PP_OK; i++)
+        status = pp_outside_light_add_plane(
+            planes, &report->light.sky,
+            pp_vec_scale(world->openings[i].inner.normal, -1.0), err);
+    return status;
+}
+
 enum pp_status pp_methods_evaluate(struct pp_report *report, const char *selection,
                                    struct pp_error *err)
 {
@@ -339,12 +353,16 @@ enum pp_status pp_methods_evaluate(struct pp_report *report, const char *selecti
                                                      : &none;
     struct pp_selection parsed;
     struct pp_method_shared shared = {0};
+    struct pp_outside_planes planes = {0};
     enum pp_status status = pp_selection_parse(&parsed, selection, err);
     if (status == PP_OK)
         status = pp_thread_pool_create(&shared.pool, report->threads, err);
     if (status == PP_OK)
         status = pp_beams_create(&shared.beams, report->world,
                                  report->options && report->options->plain, err);
+    if (status == PP_OK)
+        status = find_planes(&planes, report, err);
+    report->light.planes = &planes;
     for (int i = 0; i < variants->count && status == PP_OK; i++)
         status = pp_selection_include(&parsed, variants->list[i].method, err);
     for (int i = 0; i < parsed.count && status == PP_OK; i++) {
@@ -357,6 +375,8 @@ enum pp_status pp_methods_evaluate(struct pp_report *report, const char *selecti
     }
     if (status == PP_OK && parsed.usual)
         status = stand_in(report, err);
+    report->light.planes = NULL;
+    pp_outside_light_clear_planes(&planes);
     pp_beams_destroy(shared.beams);
     pp_thread_pool_destroy(shared.pool);
     pp_selection_clear(&parsed);

@@ -55,9 +55,9 @@ enum pp_status pp_exterior_light_within(struct pp_exterior_light *outside,
     for (int i = 0; i < world->skyline_count; i++)
         hidden = hidden || pp_world_skyline_is_far(&world->skylines[i], face);
     if (!hidden) {
-        *outside = (struct pp_exterior_light){pp_sky_on_plane(&light->sky, normal),
-                                              light->ground_reflectance
-                                                  * (1.0 - normal.z) / 2.0};
+        *outside = (struct pp_exterior_light){
+            pp_outside_light_sky_on_plane(light, normal),
+            light->ground_reflectance * (1.0 - normal.z) / 2.0};
         return PP_OK;
     }
 

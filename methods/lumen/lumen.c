@@ -187,7 +187,8 @@ static enum pp_status read_window(struct reading *r, const struct pp_world *worl
     pp_lumen_scope_room_size(&r->width_m, &r->depth_m, world, opening);
     r->ceiling = pp_lumen_scope_ceiling_reflectance(world);
     r->walls = pp_lumen_scope_wall_reflectance(world, opening->face);
-    r->E_s = pp_sky_on_plane(&light->sky, pp_vec_scale(opening->inner.normal, -1.0));
+    r->E_s =
+        pp_outside_light_sky_on_plane(light, pp_vec_scale(opening->inner.normal, -1.0));
     r->rho_g = light->ground_reflectance;
 
     struct pp_lumen_query query = {

@@ -223,7 +223,7 @@ static enum pp_status put_light(struct pp_worksheet *sheet,
     pp_worksheet_put(sheet, PP_UNIT_ANGLE, opening->slope_rad, "beta",
                      "slope of the glass");
     double C_hv =
-        pp_sky_on_plane(&light->sky, pp_vec_scale(opening->inner.normal, -1.0));
+        pp_outside_light_sky_on_plane(light, pp_vec_scale(opening->inner.normal, -1.0));
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, C_hv, "C_hv",
                      "illuminance on glass of this slope from the open sky");
     pp_worksheet_work(sheet, vertical ? &on_window : &on_sloping,

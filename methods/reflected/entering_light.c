@@ -127,7 +127,7 @@ static void put_C(struct pp_worksheet *sheet, const struct pp_outside_light *lig
     }
     struct pp_vec3 outward = pp_vec_scale(opening->inner.normal, -1.0);
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR,
-                     pp_sky_on_plane(&light->sky, outward), "C_hv",
+                     pp_outside_light_sky_on_plane(light, outward), "C_hv",
                      "illuminance on glass of this slope from the open sky");
     if (pp_well_is(opening))
         pp_worksheet_work(sheet, &pp_entering_light_C_of_well,

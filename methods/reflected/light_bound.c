@@ -25,8 +25,8 @@ static double entering(const struct pp_outside_light *light,
     double area_m2 = fmax(opening->inner.area_m2, opening->outer.area_m2);
     double ground = fmax(light->ground_reflectance, built_in_ground);
     struct pp_vec3 outward = pp_vec_scale(opening->inner.normal, -1.0);
-    double outside =
-        pp_sky_on_plane(&light->sky, outward) + ground * (1.0 - outward.z) / 2.0;
+    double outside = pp_outside_light_sky_on_plane(light, outward)
+                     + ground * (1.0 - outward.z) / 2.0;
     return area_m2 * opening->frame_factor * tau * outside;
 }
 

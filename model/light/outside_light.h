@@ -17,6 +17,7 @@
 #ifndef PP_MODEL_LIGHT_OUTSIDE_LIGHT_H
 #define PP_MODEL_LIGHT_OUTSIDE_LIGHT_H
 
+#include "model/base/error.h"
 #include "model/light/sky.h"
 
 /* The sun; hand methods and traced daylight factors do not include it. */
@@ -26,11 +27,36 @@ struct pp_outside_sun {
                         * sun */
 };
 
+/* Illuminances of planes from one sky, over Eh. The integral over a sky with a sun takes
+ * 5 to 20 ms; the openings of a room face only a few directions. */
+struct pp_outside_plane {
+    struct pp_vec3 normal;
+    double sky;
+};
+
+struct pp_outside_planes {
+    int count, capacity;
+    struct pp_outside_plane *list;
+};
+
 struct pp_outside_light {
     struct pp_sky sky;
     double ground_reflectance;
     struct pp_outside_sun sun;
+    const struct pp_outside_planes *planes; /* calculated for this sky; not owned; NULL:
+                                             * none */
 };
+
+/* Adds a plane with unit normal n, unless it is in the list. The caller clears the
+ * list. */
+enum pp_status pp_outside_light_add_plane(struct pp_outside_planes *planes,
+                                          const struct pp_sky *sky, struct pp_vec3 n,
+                                          struct pp_error *err);
+void pp_outside_light_clear_planes(struct pp_outside_planes *planes);
+
+/* pp_sky_on_plane for the light's sky: from its planes, or else calculated. */
+double pp_outside_light_sky_on_plane(const struct pp_outside_light *light,
+                                     struct pp_vec3 n);
 
 /* Illuminance from the unobstructed sun on a plane with unit normal n. */
 double pp_outside_light_sun_on_plane(const struct pp_outside_light *light,

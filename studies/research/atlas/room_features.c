@@ -158,20 +158,27 @@ static enum pp_status fill_outside(double features[PP_ROOM_FEATURES],
                                    struct pp_error *err)
 {
     double sum = 0.0, facing = 0.0, opposite = 0.0, all = 0.0;
-    for (int i = 0; i < world->opening_count; i++) {
+    struct pp_outside_planes planes = {0};
+    struct pp_outside_light known = *light;
+    known.planes = &planes;
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
         const struct pp_opening *opening = &world->openings[i];
-        struct pp_vec3 in = opening->inner.normal;
-        double angle_rad;
-        enum pp_status status =
-            pp_obstruction_angle(&angle_rad, world, light, opening, err);
-        if (status != PP_OK)
-            return status;
+        struct pp_vec3 in = opening->inner.normal, out = pp_vec_scale(in, -1.0);
+        double angle_rad = 0.0;
+        status = pp_obstruction_angle(&angle_rad, world, light, opening, err);
+        if (status == PP_OK)
+            status = pp_outside_light_add_plane(&planes, &light->sky, out, err);
+        if (status == PP_OK)
+            status = pp_outside_light_add_plane(&planes, &light->sky, in, err);
         sum += glass_m2(opening) * angle_rad / PP_RAD;
-        facing +=
-            glass_m2(opening) * pp_sky_on_plane(&light->sky, pp_vec_scale(in, -1.0));
-        opposite += glass_m2(opening) * pp_sky_on_plane(&light->sky, in);
+        facing += glass_m2(opening) * pp_outside_light_sky_on_plane(&known, out);
+        opposite += glass_m2(opening) * pp_outside_light_sky_on_plane(&known, in);
         all += glass_m2(opening);
     }
+    pp_outside_light_clear_planes(&planes);
+    if (status != PP_OK)
+        return status;
     features[PP_ROOM_OBSTRUCTION] = sum / all;
     features[PP_ROOM_THINGS] = has_things(world);
     features[PP_ROOM_GROUND] = light->ground_reflectance;
