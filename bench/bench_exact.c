@@ -57,7 +57,8 @@ static double point_us(const struct pp_world *world,
             struct pp_receiver receiver = {{3.0 * (i % COLUMNS + 0.5) / COLUMNS,
                                             9.0 * (i / COLUMNS + 0.5) / ROWS, 0.85},
                                            {0.0, 0.0, 1.0},
-                                           0};
+                                           0,
+                                           0.0};
             struct pp_part part = {0};
             if (way->evaluate(world, light, &world->openings[0], &receiver, tools,
                               &part, NULL)

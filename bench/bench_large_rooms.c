@@ -61,7 +61,8 @@ static void time_room(const char *name, struct text *text)
     double start = processor_s();
     struct pp_outside_light light;
     struct pp_world *world = world_of(&light, text->bytes);
-    struct pp_receiver receiver = {{1.1, 0.7, world->working_plane_m}, {0, 0, 1}, 0};
+    struct pp_receiver receiver = {
+        {1.1, 0.7, world->working_plane_m}, {0, 0, 1}, 0, 0.0};
     struct pp_report report = {
         .world = world, .light = light, .receivers = &receiver, .receiver_count = 1};
     must(pp_methods_evaluate(&report, "all", &err), &err);

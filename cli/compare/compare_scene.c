@@ -81,7 +81,7 @@ enum pp_status pp_compare_scene_place(int **chosen, struct pp_compare_scene *sce
         (*chosen)[i] = pp_other_values_spread(i, count, kept);
         const struct pp_other_value *value = &values->list[(*chosen)[i]];
         scene->points[i] =
-            (struct pp_receiver){value->place, value->normal, value->line};
+            (struct pp_receiver){value->place, value->normal, value->line, 0.0};
     }
     return PP_OK;
 }

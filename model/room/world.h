@@ -224,6 +224,8 @@ struct pp_receiver {
     struct pp_vec3 position;
     struct pp_vec3 normal; /* unit */
     int line;
+    double area_m2; /* part of the working plane that a point of a grid represents; 0:
+                     * not a point of a grid */
 };
 
 /* An eye that looks along a horizontal line, assessed for glare. */

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "model/results/sheets/point_areas.h"
 #include "reports/annual/annual_figure.h"
 #include "reports/annual/annual_hourly.h"
 #include "reports/annual/hand_year_report.h"
@@ -67,6 +68,12 @@ static bool add_plane(struct json_object *object, const struct pp_annual_result 
                 && pp_annual_figure_json(to, "ase1000,250", &plane->ase, 100.0,
                                          "the weather has no direct sun")
                 && pp_json_number(to, "near_half", sheet->near_half);
+    double area_m2 = pp_point_areas_sum(sheet->receivers, sheet->receiver_count);
+    if (!isnan(area_m2))
+        good = good && pp_json_number(to, "area_m2", area_m2)
+               && pp_json_number(to, "sun_hours_mean_h", sheet->mean.sun_h.value)
+               && pp_json_number(to, "sun_hours_sum_m2h",
+                                 sheet->mean.sun_h.value * area_m2);
     for (int i = 0; i < PP_ANNUAL_LEVELS && good; i++) {
         char key[32];
         snprintf(key, sizeof key, "en17037-%g", pp_annual_sheet_levels_lx[i]);
@@ -96,8 +103,10 @@ static bool add_points(struct json_object *object,
     for (int x = 0; x < sheet->receiver_count && good; x++) {
         struct pp_vec3 at = sheet->receivers[x].position;
         struct json_object *point = json_object_new_object();
+        double area_m2 = sheet->receivers[x].area_m2;
         good = pp_json_append(points, point) && pp_json_number(point, "x", at.x)
                && pp_json_number(point, "y", at.y) && pp_json_number(point, "z", at.z)
+               && (!(area_m2 > 0.0) || pp_json_number(point, "area_m2", area_m2))
                && add_figures(point, sheet, &sheet->points[x])
                && pp_lighting_report_json_point(point, sheet, x)
                && pp_hand_year_report_json_point(point, &result->hand, sheet, x);

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "model/results/sheets/point_areas.h"
 #include "reports/annual/hand_year_report.h"
 #include "reports/annual/lighting_report.h"
 #include "reports/annual/lighting_text.h"
@@ -40,11 +41,12 @@ static void put_share(char *text, size_t room, const struct pp_annual_value *sha
 }
 
 static void print_share(const struct text_page *page, const char *label,
-                        const struct pp_annual_value *share, const char *meaning)
+                        const struct pp_annual_value *share, const char *of,
+                        const char *verb, const char *meaning)
 {
     char text[320], value[48];
     put_share(value, sizeof value, share, page->utf8);
-    snprintf(text, sizeof text, "%s  %s", value, meaning);
+    snprintf(text, sizeof text, "%s  of the %s %s %s", value, of, verb, meaning);
     print_annual_fact(page, label, text);
 }
 
@@ -63,8 +65,11 @@ static void print_levels(const struct text_page *page)
                                                               : "none";
     snprintf(
         text, sizeof text,
-        "share of the points that reach 100, 300, 500, 750 lx in half of the 4380 "
+        "share of the %s 100, 300, 500, 750 lx in half of the 4380 "
         "brightest hours: %.1f, %.1f, %.1f, %.1f %%; level for a side-lit room: %s",
+        pp_point_areas_differ(sheet->receivers, sheet->receiver_count)
+            ? "plane that reaches"
+            : "points that reach",
         100.0 * share[0], 100.0 * share[1], 100.0 * share[2], 100.0 * share[3], level);
     print_annual_fact(page, "EN 17037", text);
 }
@@ -90,20 +95,32 @@ static void print_plane(const struct text_page *page)
     const struct pp_annual_sheet *sheet = page->sheet;
     const struct pp_annual_plane *plane = &sheet->plane;
     char text[200];
-    snprintf(text, sizeof text, "%d %s", sheet->receiver_count,
-             sheet->is_grid
-                 ? "in a grid; each represents an equal part of the plane"
-                 : "(no grid: shares refer to these points, not to the plane)");
+    bool differ = pp_point_areas_differ(sheet->receivers, sheet->receiver_count);
+    double area_m2 = pp_point_areas_sum(sheet->receivers, sheet->receiver_count);
+    snprintf(
+        text, sizeof text, "%d %s", sheet->receiver_count,
+        !sheet->is_grid ? "(no grid: shares refer to these points, not to the plane)"
+        : differ ? "in a grid, weighted by the part of the plane that each represents"
+                 : "in a grid; each represents an equal part of the plane");
     print_annual_fact(page, "points", text);
+    const char *of = differ ? "plane" : "points";
     if (sheet->has_blinds)
-        print_share(
-            page, sheet->blinds_of_lm83 ? "sDA300/50" : "with blinds", &plane->sda,
-            "of the points reach 300 lx in at least half of the hours, with blinds");
-    print_share(
-        page, "DA300/50 area", &plane->autonomous,
-        "of the points reach 300 lx in at least half of the hours, without blinds");
-    print_share(page, "ASE1000,250", &plane->ase,
-                "of the points receive more than 1000 lx of direct sun for over 250 h");
+        print_share(page, sheet->blinds_of_lm83 ? "sDA300/50" : "with blinds",
+                    &plane->sda, of, differ ? "reaches" : "reach",
+                    "300 lx in at least half of the hours, with blinds");
+    print_share(page, "DA300/50 area", &plane->autonomous, of,
+                differ ? "reaches" : "reach",
+                "300 lx in at least half of the hours, without blinds");
+    print_share(page, "ASE1000,250", &plane->ase, of, differ ? "receives" : "receive",
+                "more than 1000 lx of direct sun for over 250 h");
+    if (!isnan(area_m2)) {
+        double sun_h = sheet->mean.sun_h.value;
+        snprintf(text, sizeof text,
+                 "mean over the plane %.0f h; sum over its area %.0f m2 h (%.4g m2, "
+                 "hours with more than 1000 lx of direct sun)",
+                 sun_h, sun_h * area_m2, area_m2);
+        print_annual_fact(page, "sun hours", text);
+    }
     print_levels(page);
     print_leed(page);
     if (sheet->near_half > 0) {

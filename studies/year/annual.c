@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "model/results/lattice.h"
+#include "model/results/sheets/point_areas.h"
 #include "model/room/build/device_states.h"
 #include "studies/year/annual_plane.h"
 #include "studies/year/annual_seasons.h"
@@ -235,17 +236,20 @@ static enum pp_status keep_coefficients(struct pp_annual_work *work,
 static void finish(struct pp_annual_work *work)
 {
     struct pp_annual_sheet *sheet = work->sheet;
+    int points = work->receiver_count;
+    double area_m2 = pp_point_areas_sum(work->receivers, points);
     pp_annual_plane_fill(sheet, work->without, PP_YEAR_BATCHES);
     pp_annual_lighting_finish(work->lighting);
     for (int g = 0; g < work->groups.count; g++) {
         double sums[1 + PP_YEAR_BATCHES] = {0.0}, without[PP_YEAR_BATCHES];
-        for (int x = 0; x < work->receiver_count; x++)
+        for (int x = 0; x < points; x++) {
+            double share = pp_point_areas_share(work->receivers, points, area_m2, x);
+            const double *light = work->group_light
+                                  + ((size_t)x * (size_t)work->groups.count + (size_t)g)
+                                        * (1 + PP_YEAR_BATCHES);
             for (int i = 0; i <= PP_YEAR_BATCHES; i++)
-                sums[i] += work->group_light[((size_t)x * (size_t)work->groups.count
-                                              + (size_t)g)
-                                                 * (1 + PP_YEAR_BATCHES)
-                                             + (size_t)i]
-                           / work->receiver_count;
+                sums[i] += share * light[i];
+        }
         for (int b = 0; b < PP_YEAR_BATCHES; b++)
             without[b] =
                 (PP_YEAR_BATCHES * sums[0] - sums[1 + b]) / (PP_YEAR_BATCHES - 1);

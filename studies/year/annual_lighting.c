@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "model/results/sheets/point_areas.h"
 #include "simulate/year/year_coefficients.h"
 #include "studies/lighting/en15193.h"
 #include "studies/lighting/lighting_year.h"
@@ -217,13 +218,16 @@ static void fill_points(const struct pp_annual_lighting *lighting, int k)
     struct pp_annual_sheet *sheet = lighting->sheet;
     struct pp_lighting_sheet *to = &sheet->lighting[k];
     double mean[SERIES] = {0.0};
+    double area_m2 = pp_point_areas_sum(sheet->receivers, sheet->receiver_count);
     for (int x = 0; x < sheet->receiver_count; x++) {
+        double share =
+            pp_point_areas_share(sheet->receivers, sheet->receiver_count, area_m2, x);
         const double *saved =
             lighting->saved
             + ((size_t)x * (size_t)sheet->lighting_count + (size_t)k) * SERIES;
         to->points[x] = value_of_series(saved);
         for (int s = 0; s < SERIES; s++)
-            mean[s] += saved[s] / sheet->receiver_count;
+            mean[s] += share * saved[s];
     }
     to->mean = value_of_series(mean);
 }

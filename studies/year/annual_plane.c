@@ -1,9 +1,11 @@
-/* annual_plane.c - means over the points, and fractions of the points. */
+/* annual_plane.c - means over the plane, and fractions of the plane. Points of a grid
+ * count by the area that they represent; other points count equally. */
 #include "studies/year/annual_plane.h"
 
 #include <math.h>
 #include <stdlib.h>
 
+#include "model/results/sheets/point_areas.h"
 #include "studies/year/year_metrics.h"
 
 /* The figures of the points: from all batches, or without one of them. */
@@ -11,7 +13,13 @@ struct figures_of_points {
     const struct pp_annual_sheet *sheet;
     const double *without; /* figures without one batch; NULL: use those from all */
     size_t step;           /* numbers from one point to the next */
+    double area_m2;        /* of all points; NAN: they have none */
 };
+
+static double point_weight(const struct figures_of_points *all, int point)
+{
+    return pp_point_areas_weight(all->sheet->receivers, all->area_m2, point);
+}
 
 static double figure_of(const struct figures_of_points *all, int point, int index)
 {
@@ -23,17 +31,19 @@ static double figure_of(const struct figures_of_points *all, int point, int inde
 #define FIGURE(name)                                                                   \
     ((int)(offsetof(struct pp_annual_figures, name) / sizeof(struct pp_annual_value)))
 
-/* Fraction of the points with a figure of at least `least` or, if `above`, greater than
+/* Fraction of the plane with a figure of at least `least` or, if `above`, greater than
  * `least`. */
 static double share(const struct figures_of_points *all, int index, double least,
                     bool above)
 {
-    int count = 0, points = all->sheet->receiver_count;
-    for (int x = 0; x < points; x++) {
-        double value = figure_of(all, x, index);
-        count += above ? value > least : value >= least;
+    double over = 0.0, whole = 0.0;
+    for (int x = 0; x < all->sheet->receiver_count; x++) {
+        double value = figure_of(all, x, index), weight = point_weight(all, x);
+        whole += weight;
+        if (above ? value > least : value >= least)
+            over += weight;
     }
-    return points > 0 ? (double)count / points : NAN;
+    return whole > 0.0 ? over / whole : NAN;
 }
 
 /* LM-83: half of the hours or more, and more than 250 hours of sun; both with a
@@ -59,17 +69,20 @@ enum { BATCHES_MOST = 64 };
 
 static double mean_of(const struct figures_of_points *all, int index)
 {
-    double sum = 0.0;
-    for (int x = 0; x < all->sheet->receiver_count; x++)
-        sum += figure_of(all, x, index);
-    return sum / all->sheet->receiver_count;
+    double sum = 0.0, whole = 0.0;
+    for (int x = 0; x < all->sheet->receiver_count; x++) {
+        sum += point_weight(all, x) * figure_of(all, x, index);
+        whole += point_weight(all, x);
+    }
+    return sum / whole;
 }
 
 void pp_annual_plane_fill(struct pp_annual_sheet *sheet, const double *without,
                           int batches)
 {
-    struct figures_of_points all = {sheet, NULL,
-                                    (size_t)batches * (size_t)PP_ANNUAL_FIGURES};
+    struct figures_of_points all = {
+        sheet, NULL, (size_t)batches * (size_t)PP_ANNUAL_FIGURES,
+        pp_point_areas_sum(sheet->receivers, sheet->receiver_count)};
     double values[1 + BATCHES_MOST][PP_ANNUAL_PLANE], list[BATCHES_MOST];
     plane_of(values[0], &all);
     for (int b = 0; b < batches; b++) {

@@ -13,7 +13,7 @@
 static inline struct pp_receiver pp_test_receiver(double x, double y, double z,
                                                   double nx, double ny, double nz)
 {
-    return (struct pp_receiver){{x, y, z}, pp_vec_unit(pp_vec(nx, ny, nz)), 0};
+    return (struct pp_receiver){{x, y, z}, pp_vec_unit(pp_vec(nx, ny, nz)), 0, 0.0};
 }
 
 static inline struct pp_light_scene *pp_test_matt_scene(const struct pp_world *world)

@@ -17,7 +17,7 @@ static double next(uint64_t *seed)
 
 static struct pp_receiver facing_up(double x, double y, double z)
 {
-    return (struct pp_receiver){{x, y, z}, {0.0, 0.0, 1.0}, 0};
+    return (struct pp_receiver){{x, y, z}, {0.0, 0.0, 1.0}, 0, 0.0};
 }
 
 /* Direct component of a whole room by one method, with corrections. */
@@ -213,12 +213,12 @@ static void an_upright_point_is_counted_on_a_diagram_of_its_own(void **state)
     double turns[] = {-0.9, -0.2, 0.0, 0.7};
     for (int i = 0; i < 4; i++) {
         struct pp_receiver receiver = {
-            {2.3, 3.1, 1.2}, {sin(turns[i]), -cos(turns[i]), 0.0}, 0};
+            {2.3, 3.1, 1.2}, {sin(turns[i]), -cos(turns[i]), 0.0}, 0, 0.0};
         double dots = direct(&pp_method_pepper_pot, world, &light, &receiver).sky;
         assert_near(dots, direct(&pp_method_exact, world, &light, &receiver).sky,
                     0.004);
     }
-    struct pp_receiver away = {{2.3, 3.1, 1.2}, {0.0, 1.0, 0.0}, 0};
+    struct pp_receiver away = {{2.3, 3.1, 1.2}, {0.0, 1.0, 0.0}, 0, 0.0};
     assert_near(direct(&pp_method_pepper_pot, world, &light, &away).sky, 0.0, 0.0);
     pp_world_destroy(world);
 }
@@ -269,7 +269,7 @@ static void what_the_diagrams_do_not_hold_is_refused(void **state)
         "<rooflight x=\"3\" y=\"1\" width=\"1.3\" depth=\"1.7\" "
         "glazing=\"none\"/></room>");
     struct pp_receiver up = facing_up(2.3, 2.1, 0.85);
-    struct pp_receiver tilted = {{2.3, 2.1, 0.85}, {0.6, 0.0, 0.8}, 0};
+    struct pp_receiver tilted = {{2.3, 2.1, 0.85}, {0.6, 0.0, 0.8}, 0, 0.0};
     assert_non_null(
         strstr(pp_method_waldram.refuses_room(world, &light, &up), "azimuth"));
     assert_non_null(

@@ -382,7 +382,7 @@ static void a_rough_value_is_near_the_exact_one(void **state)
     const struct pp_method *exact = pp_method_find("exact");
     for (double y = 0.3; y < 6.0; y += 0.4)
         for (double x = 0.1; x < 3.7; x += 0.6) {
-            struct pp_receiver receiver = {{x, y, 0.85}, {0, 0, 1}, 0};
+            struct pp_receiver receiver = {{x, y, 0.85}, {0, 0, 1}, 0, 0.0};
             struct pp_part precise = {0}, rough = {0};
             assert_int_equal(exact->evaluate(world, &light, world->openings, &receiver,
                                              NULL, &precise, NULL),

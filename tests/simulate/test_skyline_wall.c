@@ -55,7 +55,8 @@ static struct pp_world *room_with_block(struct pp_outside_light *light,
 
 enum { POINTS = 2 };
 static const struct pp_receiver receivers[POINTS] = {
-    {{1.9, 1.4, 0.85}, {0.0, 0.0, 1.0}, 0}, {{1.6, 4.1, 0.85}, {0.0, 0.0, 1.0}, 0}};
+    {{1.9, 1.4, 0.85}, {0.0, 0.0, 1.0}, 0, 0.0},
+    {{1.6, 4.1, 0.85}, {0.0, 0.0, 1.0}, 0, 0.0}};
 
 /* An engine's readings of both points; the caller frees them. */
 typedef struct pp_reading (*readings_by(const struct pp_world *world,

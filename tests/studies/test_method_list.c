@@ -89,7 +89,8 @@ static struct answers answers_in(const struct textbook_room *room, bool simulate
     write_selection(selection, sizeof selection);
     answers.world = pp_test_lit_world(&light, room->xml);
     for (int i = 0; i < POINTS; i++)
-        answers.points[i] = (struct pp_receiver){room->point[i], {0.0, 0.0, 1.0}, 0};
+        answers.points[i] =
+            (struct pp_receiver){room->point[i], {0.0, 0.0, 1.0}, 0, 0.0};
     /* The receiver faces the window, slightly to one side. */
     answers.points[UPRIGHT].normal = pp_vec(sin(0.3), -cos(0.3), 0.0);
     if (simulated) {

@@ -17,8 +17,9 @@ static struct pp_reliability under(struct pp_sky sky, double depth_m,
     box.light.ground_reflectance = ground;
     if (skyline_deg > 0.0)
         box_room_skyline(&box, skyline_deg * PP_RAD, 1.65, INFINITY);
-    const struct pp_receiver points[2] = {{{1.5, 0.7, 0.85}, {0, 0, 1}, 0},
-                                          {{1.5, depth_m - 0.7, 0.85}, {0, 0, 1}, 0}};
+    const struct pp_receiver points[2] = {
+        {{1.5, 0.7, 0.85}, {0, 0, 1}, 0, 0.0},
+        {{1.5, depth_m - 0.7, 0.85}, {0, 0, 1}, 0, 0.0}};
     struct pp_report report = {.world = &box.world,
                                .light = box.light,
                                .receivers = points,

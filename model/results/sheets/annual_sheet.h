@@ -21,7 +21,7 @@ enum {
 
 extern const double pp_annual_sheet_levels_lx[PP_ANNUAL_LEVELS];
 
-/* Results for a point, or their means over all points. "Hours" are occupied hours. */
+/* Results for a point, or their means over the plane. "Hours" are occupied hours. */
 struct pp_annual_figures {
     struct pp_annual_value
         autonomy[PP_ANNUAL_ILLUMINANCES_MOST]; /* share of hours with E >= target */
@@ -57,7 +57,7 @@ static inline struct pp_annual_value *pp_annual_sheet_figure(
     return (struct pp_annual_value *)figures + index;
 }
 
-/* Shares of the points in the plane. */
+/* Shares of the plane; if the points are not a grid with areas, of the points. */
 struct pp_annual_plane {
     struct pp_annual_value autonomous; /* 300 lx in half of the hours or more */
     struct pp_annual_value sda;        /* the same with blinds; NAN: no blinds */

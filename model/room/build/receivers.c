@@ -9,6 +9,7 @@
 #include <stdlib.h>
 
 #include "model/base/array.h"
+#include "model/geometry/cell_areas.h"
 #include "model/geometry/tolerance.h"
 #include "model/room/position.h"
 
@@ -157,6 +158,39 @@ static double count_cells(const double low[2], const double high[2],
     return cells[0] * cells[1];
 }
 
+/* Adds the points at the centres of cells. is_point, areas: room for every cell. */
+static enum pp_status add_centres(struct pp_resolver *r, struct receiver_list *list,
+                                  const struct pp_cell_grid *grid,
+                                  const struct pp_position_surfaces *surfaces, int line,
+                                  bool *is_point, double *areas, struct pp_error *err)
+{
+    const struct pp_world *world = r->world;
+    const struct pp_region *plane = &world->plane;
+    int first = list->count;
+    enum pp_status status = PP_OK;
+    for (int cell = 0; cell < grid->columns * grid->rows && status == PP_OK; cell++) {
+        double x = grid->low[0] + (cell % grid->columns + 0.5) * grid->step[0];
+        double y = grid->low[1] + (cell / grid->columns + 0.5) * grid->step[1];
+        struct pp_receiver receiver = {.position = pp_vec(x, y, world->working_plane_m),
+                                       .normal = pp_vec(0.0, 0.0, 1.0),
+                                       .line = line};
+        is_point[cell] =
+            pp_region_contains(plane, x, y)
+            && pp_region_edge_distance(plane, x, y) >= grid->margin - PP_ROUNDING_M
+            && !pp_position_fault_among(world, surfaces, receiver.position,
+                                        receiver.normal);
+        if (is_point[cell])
+            status = add_receiver(list, receiver, err);
+    }
+    if (status != PP_OK)
+        return status;
+    pp_cell_areas_find(areas, is_point, plane, grid);
+    for (int cell = 0; cell < grid->columns * grid->rows; cell++)
+        if (is_point[cell])
+            list->items[first++].area_m2 = areas[cell];
+    return PP_OK;
+}
+
 static enum pp_status add_grid(struct pp_resolver *r, struct receiver_list *list,
                                const double low[2], const double high[2],
                                const double cells[2], double margin_m, int line,
@@ -166,27 +200,24 @@ static enum pp_status add_grid(struct pp_resolver *r, struct receiver_list *list
     const struct pp_bounds3 plane = {pp_vec(low[0], low[1], world->working_plane_m),
                                      pp_vec(high[0], high[1], world->working_plane_m)};
     struct pp_position_surfaces surfaces;
-    double step[2];
-    for (int k = 0; k < 2; k++)
-        step[k] = fmax(high[k] - low[k] - 2.0 * margin_m, 0.0) / cells[k];
-    enum pp_status status = pp_position_find_surfaces(&surfaces, world, &plane, err);
-    for (int j = 0; j < cells[1] && status == PP_OK; j++)
-        for (int i = 0; i < cells[0] && status == PP_OK; i++) {
-            double x = low[0] + margin_m + (i + 0.5) * step[0];
-            double y = low[1] + margin_m + (j + 0.5) * step[1];
-            struct pp_receiver receiver = {.position =
-                                               pp_vec(x, y, world->working_plane_m),
-                                           .normal = pp_vec(0.0, 0.0, 1.0),
-                                           .line = line};
-            if (!pp_region_contains(&world->plane, x, y)
-                || pp_region_edge_distance(&world->plane, x, y)
-                       < margin_m - PP_ROUNDING_M
-                || pp_position_fault_among(world, &surfaces, receiver.position,
-                                           receiver.normal))
-                continue;
-            status = add_receiver(list, receiver, err);
-        }
-    free(surfaces.list);
+    struct pp_cell_grid grid = {
+        .columns = (int)cells[0], .rows = (int)cells[1], .margin = margin_m};
+    for (int k = 0; k < 2; k++) {
+        grid.low[k] = low[k] + margin_m;
+        grid.step[k] = fmax(high[k] - low[k] - 2.0 * margin_m, 0.0) / cells[k];
+    }
+    size_t count = (size_t)grid.columns * (size_t)grid.rows;
+    bool *is_point = calloc(count, sizeof *is_point);
+    double *areas = calloc(count, sizeof *areas);
+    enum pp_status status =
+        is_point && areas ? pp_position_find_surfaces(&surfaces, world, &plane, err)
+                          : pp_fail_memory(err);
+    if (status == PP_OK) {
+        status = add_centres(r, list, &grid, &surfaces, line, is_point, areas, err);
+        free(surfaces.list);
+    }
+    free(areas);
+    free(is_point);
     return status;
 }
 

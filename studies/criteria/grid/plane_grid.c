@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "model/geometry/bounds.h"
+#include "model/geometry/cell_areas.h"
 #include "model/geometry/tolerance.h"
 #include "model/room/position.h"
 
@@ -60,23 +61,37 @@ static enum pp_status add_points(struct pp_plane_grid *grid,
                                  struct pp_error *err)
 {
     size_t most = (size_t)grid->columns * (size_t)grid->rows;
+    const struct pp_cell_grid cells = {{low[0], low[1]},
+                                       {grid->cell_m[0], grid->cell_m[1]},
+                                       grid->columns,
+                                       grid->rows,
+                                       grid->margin_m};
+    bool *is_point = calloc(most, sizeof *is_point);
+    double *areas = calloc(most, sizeof *areas);
     grid->receivers = calloc(most, sizeof *grid->receivers);
     grid->cells = calloc(most, sizeof *grid->cells);
-    if (!grid->receivers || !grid->cells)
-        return pp_fail_memory(err);
-    for (int j = 0; j < grid->rows; j++)
-        for (int i = 0; i < grid->columns; i++) {
-            double x = low[0] + (i + 0.5) * grid->cell_m[0];
-            double y = low[1] + (j + 0.5) * grid->cell_m[1];
-            if (!is_grid_point(world, grid->margin_m, x, y))
-                continue;
-            grid->cells[grid->count][0] = i;
-            grid->cells[grid->count][1] = j;
-            grid->receivers[grid->count++] =
-                (struct pp_receiver){.position = pp_vec(x, y, world->working_plane_m),
-                                     .normal = pp_vec(0.0, 0.0, 1.0)};
-        }
-    return PP_OK;
+    bool enough = is_point && areas && grid->receivers && grid->cells;
+    for (int cell = 0; enough && cell < (int)most; cell++) {
+        int i = cell % grid->columns, j = cell / grid->columns;
+        double x = low[0] + (i + 0.5) * grid->cell_m[0];
+        double y = low[1] + (j + 0.5) * grid->cell_m[1];
+        is_point[cell] = is_grid_point(world, grid->margin_m, x, y);
+        if (!is_point[cell])
+            continue;
+        grid->cells[grid->count][0] = i;
+        grid->cells[grid->count][1] = j;
+        grid->receivers[grid->count++] =
+            (struct pp_receiver){.position = pp_vec(x, y, world->working_plane_m),
+                                 .normal = pp_vec(0.0, 0.0, 1.0)};
+    }
+    if (enough)
+        pp_cell_areas_find(areas, is_point, &world->plane, &cells);
+    for (int k = 0; k < grid->count; k++)
+        grid->receivers[k].area_m2 =
+            areas[grid->cells[k][1] * grid->columns + grid->cells[k][0]];
+    free(areas);
+    free(is_point);
+    return enough ? PP_OK : pp_fail_memory(err);
 }
 
 enum pp_status pp_plane_grid_make(struct pp_plane_grid *grid,

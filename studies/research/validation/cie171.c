@@ -108,8 +108,10 @@ static bool same_room(const struct figure *one, const struct figure *other)
 
 static struct pp_receiver receiver_of(const struct figure *figure)
 {
-    return (struct pp_receiver){
-        {figure->x, figure->y, figure->z}, {figure->nx, figure->ny, figure->nz}, 0};
+    return (struct pp_receiver){{figure->x, figure->y, figure->z},
+                                {figure->nx, figure->ny, figure->nz},
+                                0,
+                                0.0};
 }
 
 /* ---- the report's glass ---- */

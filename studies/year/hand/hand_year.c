@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "model/base/thread_pool.h"
+#include "model/results/sheets/point_areas.h"
 #include "model/room/build/device_states.h"
 #include "studies/study_report.h"
 #include "studies/year/hand/hand_figures.h"
@@ -204,7 +205,9 @@ static bool evaluate_point(void *data, int worker, int x)
 static enum pp_status evaluate_points(struct hand_run *run, struct pp_error *err)
 {
     struct pp_thread_pool *pool;
+    const struct pp_receiver *receivers = run->room->receivers;
     int count = run->room->receiver_count;
+    double area_m2 = pp_point_areas_sum(receivers, count);
     enum pp_status status = pp_thread_pool_create(&pool, run->annual->threads, err);
     if (status != PP_OK)
         return status;
@@ -217,7 +220,8 @@ static enum pp_status evaluate_points(struct hand_run *run, struct pp_error *err
         for (int k = 0; k < PP_HAND_FIGURES; k++) {
             mean[k] = 0.0;
             for (int x = 0; x < count; x++)
-                mean[k] += ((const double *)&column->points[x])[k] / count;
+                mean[k] += pp_point_areas_share(receivers, count, area_m2, x)
+                           * ((const double *)&column->points[x])[k];
         }
         if (column->year.failed)
             return pp_fail_memory(err);

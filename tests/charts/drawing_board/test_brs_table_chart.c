@@ -82,7 +82,8 @@ static void a_reading_is_marked_between_its_cells_in_proportion(void **state)
     for (int i = 0; i < 5; i++) {
         double d = 0.6;
         struct box_room box;
-        struct pp_receiver receiver = {pp_vec(10.0, d, 0.85), pp_vec(0.0, 0.0, 1.0), 0};
+        struct pp_receiver receiver = {pp_vec(10.0, d, 0.85), pp_vec(0.0, 0.0, 1.0), 0,
+                                       0.0};
         struct pp_brs_sheet sheet;
         box_room_build(&box, 30.0, 3.0, 9.0, 0.2, 0.5, 0.7);
         box_room_south(&box, 10.0, 0.85, rows[i].w * d, rows[i].h * d);

@@ -89,7 +89,7 @@ static double at(const struct pp_world *world, const struct pp_outside_light *li
                  const struct pp_method *method, double x, double y)
 {
     struct pp_part part = {0};
-    const struct pp_receiver receiver = {{x, y, 0.85}, {0, 0, 1}, 0};
+    const struct pp_receiver receiver = {{x, y, 0.85}, {0, 0, 1}, 0, 0.0};
     const struct pp_opening *opening = &world->openings[0];
     void *tools = NULL;
     if (method->refuses) {

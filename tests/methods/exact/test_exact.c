@@ -9,7 +9,7 @@ static struct pp_part at(const struct pp_world *world,
                          const struct pp_outside_light *light, struct pp_vec3 position,
                          struct pp_vec3 normal)
 {
-    struct pp_receiver receiver = {position, pp_vec_unit(normal), 0};
+    struct pp_receiver receiver = {position, pp_vec_unit(normal), 0, 0.0};
     struct pp_part sum = {0};
     for (int i = 0; i < world->opening_count; i++) {
         struct pp_part part = {0};

@@ -29,7 +29,7 @@ static double value_of(const struct pp_method *method, struct box_room *box, int
 
 static struct pp_receiver at(double x, double y)
 {
-    return (struct pp_receiver){{x, y, 0.85}, {0, 0, 1}, 0};
+    return (struct pp_receiver){{x, y, 0.85}, {0, 0, 1}, 0, 0.0};
 }
 
 static const struct pp_method *const by_position[] = {
@@ -312,7 +312,7 @@ static void rooms_outside_the_fit_are_rejected(void **state)
         window->slope_rad = 1.1;
         assert_non_null(method->refuses(&box.world, &box.light, window, NULL));
         window->slope_rad = PP_PI / 2.0;
-        struct pp_receiver upright = {{1, 1, 1}, {0, -1, 0}, 0};
+        struct pp_receiver upright = {{1, 1, 1}, {0, -1, 0}, 0, 0.0};
         assert_non_null(method->refuses_room(&box.world, &box.light, &upright));
         box.light.sky = pp_sky_uniform();
         assert_non_null(method->refuses_room(&box.world, &box.light, NULL));

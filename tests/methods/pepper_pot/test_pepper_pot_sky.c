@@ -143,7 +143,7 @@ static void rooms_under_a_clear_sky_are_near_to_exact(void **state)
     for (int k = 0; k < 2; k++) {
         const struct pp_method *methods[2] = {&pp_method_pepper_pot_sky,
                                               &pp_method_exact};
-        const struct pp_receiver receiver = {{2.4, 3.9, 0.85}, normals[k], 0};
+        const struct pp_receiver receiver = {{2.4, 3.9, 0.85}, normals[k], 0, 0.0};
         double sky[2] = {0};
         for (int m = 0; m < 2; m++) {
             void *tools = NULL;

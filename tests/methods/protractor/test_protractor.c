@@ -18,7 +18,7 @@ static double next(uint64_t *seed)
 
 static struct pp_receiver facing_up(double x, double y, double z)
 {
-    return (struct pp_receiver){{x, y, z}, {0.0, 0.0, 1.0}, 0};
+    return (struct pp_receiver){{x, y, z}, {0.0, 0.0, 1.0}, 0, 0.0};
 }
 
 /* Result of the method for the first opening of the world, with the values as read. */
@@ -628,7 +628,7 @@ static void what_no_protractor_is_made_for_is_refused(void **state)
     (void)state;
     const struct pp_method *method = &pp_method_protractor;
     struct pp_receiver up = facing_up(2.0, 2.0, 0.85);
-    struct pp_receiver tilted = {{2.0, 2.0, 0.85}, {0.6, 0.0, 0.8}, 0};
+    struct pp_receiver tilted = {{2.0, 2.0, 0.85}, {0.6, 0.0, 0.8}, 0, 0.0};
     double refused[] = {20.0, 45.0, 75.0}, read[] = {30.0, 60.0};
     for (int i = 0; i < 3; i++) {
         struct pp_outside_light glazed_light;

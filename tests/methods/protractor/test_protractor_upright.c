@@ -127,7 +127,8 @@ static void standing_points_are_near_to_exact(void **state)
         const struct pp_receiver receiver = {
             {between(&dice, 0.3, 5.0), between(&dice, 0.8, 6.8), 1.2},
             {sin(turn), -cos(turn), 0},
-            0};
+            0,
+            0.0};
         double exact = at(world, &light, &pp_method_exact, &receiver, &external[0]);
         double read =
             at(world, &light, &pp_method_protractor_upright, &receiver, &external[1]);
@@ -160,7 +161,8 @@ static void what_lies_behind_the_receiver_does_not_count(void **state)
     double external;
     const struct pp_vec3 behind[] = {{0, 1, 0}, {-1, 0, 0}};
     for (int i = 0; i < 2; i++) {
-        const struct pp_receiver receiver = {{i ? 0.3 : 1.5, 2.2, 1.1}, behind[i], 0};
+        const struct pp_receiver receiver = {
+            {i ? 0.3 : 1.5, 2.2, 1.1}, behind[i], 0, 0.0};
         assert_near(
             at(world, &light, &pp_method_protractor_upright, &receiver, &external), 0.0,
             0.0);
@@ -175,7 +177,7 @@ static void points_that_face_up_and_other_skies_are_refused(void **state)
     struct pp_world *world = pp_test_lit_world(
         &light, "<room version='1'><plan width='5.3' depth='7.1' height='3.4'/>"
                 "<rooflight x='2' y='2' width='1' depth='1'/></room>");
-    const struct pp_receiver up = {{2, 2, 1}, {0, 0, 1}, 0};
+    const struct pp_receiver up = {{2, 2, 1}, {0, 0, 1}, 0, 0.0};
     assert_non_null(pp_method_protractor_upright.refuses_room(world, &light, &up));
     assert_non_null(
         pp_method_protractor_upright.refuses(world, &light, world->openings, NULL));

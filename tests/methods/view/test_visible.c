@@ -13,7 +13,7 @@
 
 static struct pp_receiver receiver_at(double x, double y, double z)
 {
-    return (struct pp_receiver){{x, y, z}, {0.0, 0.0, 1.0}, 0};
+    return (struct pp_receiver){{x, y, z}, {0.0, 0.0, 1.0}, 0, 0.0};
 }
 
 static struct pp_part part_of(const struct pp_world *world,
@@ -224,7 +224,7 @@ static void a_skyline_at_a_distance_is_a_long_wall_there(void **state)
     assert_relative(part.external, part_of(wall, &wall_light, &receiver).external,
                     1e-12);
     struct pp_receiver high = {
-        {2.0, 1.0, 2.5}, pp_vec_unit(pp_vec(0.0, -1.0, -0.2)), 0};
+        {2.0, 1.0, 2.5}, pp_vec_unit(pp_vec(0.0, -1.0, -0.2)), 0, 0.0};
     part = assert_by_two_routes(skyline, &skyline_light, high);
     assert_relative(part.external, part_of(wall, &wall_light, &high).external, 1e-12);
     pp_world_destroy(skyline);
@@ -278,8 +278,8 @@ static void a_rooflight_corner_may_stand_overhead(void **state)
         &light,
         PLAN("<rooflight x='1.2' y='1.6' width='1.1' depth='1.7' glazing='none'/>"
              "<block x='9' y='1' width='3' depth='4' height='40'/>"));
-    struct pp_part corner =
-        part_of(world, &light, &(struct pp_receiver){{1.2, 1.6, 0.8}, {0, 0, 1}, 0});
+    struct pp_part corner = part_of(
+        world, &light, &(struct pp_receiver){{1.2, 1.6, 0.8}, {0, 0, 1}, 0, 0.0});
     struct pp_part beside =
         assert_by_two_routes(world, &light, receiver_at(1.2003, 1.6002, 0.8));
     assert_near(corner.sky, beside.sky, 2e-4);

@@ -74,7 +74,10 @@ static void squares_under_the_overlay_are_exact_and_unbiased(void **state)
         struct pp_outside_light light;
         struct pp_world *world = pp_test_lit_world(&light, xml);
         const struct pp_receiver receiver = {
-            {between(&dice, 0.2, 3.8), between(&dice, 0.5, 2.8), 0.85}, {0, 0, 1}, 0};
+            {between(&dice, 0.2, 3.8), between(&dice, 0.5, 2.8), 0.85},
+            {0, 0, 1},
+            0,
+            0.0};
         double off = (at(world, &light, &pp_method_waldram_overlay, &receiver)
                       - at(world, &light, &pp_method_exact, &receiver))
                      / PP_WALDRAM_WORTH;

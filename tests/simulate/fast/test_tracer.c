@@ -225,10 +225,10 @@ static void on_a_surface_one_measures_what_falls_on_it(void **state)
         &light, "<room version='1'><plan width='3.1' depth='4.3' height='2.6'/>"
                 "" WINDOW "'none'/></room>");
     static const struct pp_receiver on[] = {
-        {{1.1, 2.0, 0.0}, {0.0, 0.0, 1.0}, 0},
-        {{0.0, 1.7, 1.3}, {1.0, 0.0, 0.0}, 0},
-        {{1.3, 4.3, 0.6}, {0.0, -1.0, 0.0}, 0},
-        {{1.1, 2.0, 2.6}, {0.0, 0.0, -1.0}, 0},
+        {{1.1, 2.0, 0.0}, {0.0, 0.0, 1.0}, 0, 0.0},
+        {{0.0, 1.7, 1.3}, {1.0, 0.0, 0.0}, 0, 0.0},
+        {{1.3, 4.3, 0.6}, {0.0, -1.0, 0.0}, 0, 0.0},
+        {{1.1, 2.0, 2.6}, {0.0, 0.0, -1.0}, 0, 0.0},
     };
     for (size_t i = 0; i < sizeof on / sizeof *on; i++) {
         assert_null(pp_position_receiver_fault(world, on[i].position, on[i].normal));

@@ -448,8 +448,8 @@ static void lay_out(struct points *points, const struct pp_world *world)
                 clear &= hypot(x - a[0] - t * ux, y - a[1] - t * uy) > 0.5 - 1e-6;
             }
             if (clear)
-                points->list[points->count++] =
-                    (struct pp_receiver){{x, y, world->working_plane_m}, {0, 0, 1}, 0};
+                points->list[points->count++] = (struct pp_receiver){
+                    {x, y, world->working_plane_m}, {0, 0, 1}, 0, 0.0};
         }
 }
 

@@ -584,7 +584,7 @@ static void continuous_methods_reach_the_target_within_half_a_per_cent(void **st
         {"average-df", 0.011, PP_CHANGE_HEAD, false},
         {"average-df", 0.017, PP_CHANGE_SILL, false},
     };
-    const struct pp_receiver point = {{1.9, 2.7, 0.85}, {0.0, 0.0, 1.0}, 0};
+    const struct pp_receiver point = {{1.9, 2.7, 0.85}, {0.0, 0.0, 1.0}, 0, 0.0};
     const int both[] = {0, 1};
     struct pp_building *building = parse(two_sided);
     const struct pp_outside_light light = light_of(building);
@@ -614,7 +614,7 @@ static void counting_methods_have_the_smallest_window_that_is_not_below(void **s
 {
     (void)state;
     static const char *const methods[] = {"waldram+bre", "pepper-pot+bre"};
-    const struct pp_receiver point = {{1.9, 2.3, 0.85}, {0.0, 0.0, 1.0}, 0};
+    const struct pp_receiver point = {{1.9, 2.3, 0.85}, {0.0, 0.0, 1.0}, 0, 0.0};
     const int first = 0;
     struct pp_building *building = parse(two_sided);
     const struct pp_outside_light light = light_of(building);

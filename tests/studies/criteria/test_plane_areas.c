@@ -1,0 +1,113 @@
+/* test_plane_areas.c - areas of the plane that points of a grid represent, and shares of
+ * an L-shaped plan. */
+#include "tests/lib/made_year.h"
+#include "tests/lib/near.h"
+#include "tests/lib/room_of.h"
+
+#include <stdlib.h>
+
+#include "model/results/sheets/point_areas.h"
+#include "studies/criteria/grid/plane_grid.h"
+#include "studies/year/annual_plane.h"
+
+/* A rectangle of 6.1 x 2.36 m in front and an arm of 1.9 x 3.54 m behind it. The cells
+ * are 0.5545 m wide, so that 3.43 of them fit into the arm, and 0.59 m deep. */
+static const char ell[] =
+    "<room version='1'><plan height='2.9'><vertex x='0' y='0'/><vertex x='6.1' y='0'/>"
+    "<vertex x='6.1' y='2.36'/><vertex x='1.9' y='2.36'/><vertex x='1.9' y='5.9'/>"
+    "<vertex x='0' y='5.9'/></plan><window wall='1' left='1' sill='0.9' width='2' "
+    "height='1.5'/><grid spacing='0.6' margin='0'/></room>";
+static const double front_m2 = 6.1 * 2.36, arm_m2 = 1.9 * 3.54;
+
+static double area_where(const struct pp_receiver *points, int count, bool arm)
+{
+    double sum = 0.0;
+    for (int i = 0; i < count; i++)
+        sum += (points[i].position.y > 2.36) == arm ? points[i].area_m2 : 0.0;
+    return sum;
+}
+
+/* Counted by points the arm would have 18 of 62, or 29.0 %, of a plan of which it is
+ * 31.8 %. An edge is accurate to 1/32 of a cell. */
+static void points_of_an_l_shaped_plan_represent_its_two_rectangles(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(ell);
+    const struct pp_grid_choice choice = {.spacing_m = 0.6};
+    struct pp_plane_grid grid;
+    assert_int_equal(pp_plane_grid_make(&grid, world, NULL, &choice, 0, NULL), PP_OK);
+    const struct {
+        const struct pp_receiver *points;
+        int count;
+    } grids[] = {{world->receivers, world->receiver_count},
+                 {grid.receivers, grid.count}};
+    for (int k = 0; k < 2; k++) {
+        double slack = 0.5545 / 32.0 * 3.54;
+        assert_near(area_where(grids[k].points, grids[k].count, true), arm_m2, slack);
+        assert_near(area_where(grids[k].points, grids[k].count, false), front_m2,
+                    slack);
+        assert_true(pp_point_areas_differ(grids[k].points, grids[k].count));
+    }
+    pp_plane_grid_clear(&grid);
+    pp_world_destroy(world);
+}
+
+/* The strip along the walls is left out. */
+static void cells_of_a_rectangle_have_equal_areas(void **state)
+{
+    (void)state;
+    struct pp_world *world =
+        pp_test_world("<room version='1'><plan width='4.1' depth='3.7' height='2.9'/>"
+                      "<grid spacing='0.5' margin='0.3'/></room>");
+    int count = world->receiver_count;
+    assert_int_equal(count, 7 * 7);
+    assert_false(pp_point_areas_differ(world->receivers, count));
+    assert_near(pp_point_areas_sum(world->receivers, count), 3.5 * 3.1, 1e-12);
+    pp_world_destroy(world);
+}
+
+/* sDA of a plan of two rectangles is not the share of the points: here the front reaches
+ * 300 lx at every point and the arm at none. */
+static void sda_of_an_l_shaped_plan_is_that_of_its_areas(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(ell);
+    int count = world->receiver_count;
+    struct pp_annual_figures *points = calloc((size_t)count, sizeof *points);
+    double *without = calloc((size_t)count * 2 * PP_ANNUAL_FIGURES, sizeof *without);
+    struct pp_annual_sheet sheet = {.world = world,
+                                    .receivers = world->receivers,
+                                    .receiver_count = count,
+                                    .is_grid = true,
+                                    .has_blinds = true,
+                                    .points = points};
+    double front = area_where(world->receivers, count, false),
+           arm = area_where(world->receivers, count, true);
+    int lit = 0;
+    for (int x = 0; x < count; x++) {
+        bool is_lit = world->receivers[x].position.y < 2.36;
+        points[x].blinds_autonomy.value = is_lit ? 0.8 : 0.2;
+        points[x].sun_h.value = is_lit ? 100.0 : 700.0;
+        lit += is_lit;
+    }
+    pp_annual_plane_fill(&sheet, without, 2);
+    assert_near(sheet.plane.sda.value, front / (front + arm), 1e-12);
+    assert_near(sheet.plane.sda.value, front_m2 / (front_m2 + arm_m2), 0.004);
+    assert_true(fabs(sheet.plane.sda.value - (double)lit / count) > 0.005);
+    /* The mean of the hours of sun is one by area; times the area it is their sum. */
+    assert_near(sheet.mean.sun_h.value * (front + arm), 100.0 * front + 700.0 * arm,
+                1e-9);
+    free(without);
+    free(points);
+    pp_world_destroy(world);
+}
+
+TEST_FILE
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(points_of_an_l_shaped_plan_represent_its_two_rectangles),
+        cmocka_unit_test(cells_of_a_rectangle_have_equal_areas),
+        cmocka_unit_test(sda_of_an_l_shaped_plan_is_that_of_its_areas),
+    };
+    add_tests(tests, NULL, NULL);
+}
