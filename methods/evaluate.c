@@ -82,22 +82,48 @@ static enum pp_status answer_points(const struct pp_method_run *run,
     return status;
 }
 
-/* Finds the average in the column of another method, if that method has the same
- * figures in this world and has been evaluated. */
-static bool found_average(const struct pp_method_run *run,
-                          const struct pp_report *report,
-                          struct pp_method_answer *average)
+/* Finds the columns, SC and ERC, of another method, if that method has the same figures
+ * in this world and has been evaluated. */
+static bool find_same(const struct pp_column *column[2],
+                      const struct pp_method_run *run, const struct pp_report *report)
 {
     const struct pp_method *same = run->method->same_as && !run->varied && !run->plain
                                        ? run->method->same_as(run->world)
                                        : NULL;
-    const struct pp_column *column[2] = {NULL, NULL};
-    for (int k = 0; same && k < 2; k++)
-        column[k] = pp_report_find(report, k == 0 ? PP_SC : PP_ERC, same->name);
-    if (!column[0] || !column[1] || !isfinite(column[0]->average.value))
+    if (!same)
+        return false;
+    column[0] = pp_report_find(report, PP_SC, same->name);
+    column[1] = pp_report_find(report, PP_ERC, same->name);
+    return column[0] && column[1];
+}
+
+static bool found_average(const struct pp_method_run *run,
+                          const struct pp_report *report,
+                          struct pp_method_answer *average)
+{
+    const struct pp_column *column[2];
+    if (!find_same(column, run, report) || !isfinite(column[0]->average.value))
         return false;
     average->amounts.sky = column[0]->average.value;
     average->amounts.external = column[1]->average.value;
+    return true;
+}
+
+/* False if the other method has no value for one of the receivers: the reason would be
+ * in its name. */
+static bool found_points(const struct pp_method_run *run,
+                         const struct pp_report *report,
+                         struct pp_method_answer *answers)
+{
+    const struct pp_column *column[2];
+    if (report->explain || !find_same(column, run, report))
+        return false;
+    for (int i = 0; i < report->receiver_count; i++) {
+        if (column[0]->points[i].why || column[1]->points[i].why)
+            return false;
+        answers[i].amounts.sky = column[0]->points[i].value;
+        answers[i].amounts.external = column[1]->points[i].value;
+    }
     return true;
 }
 
@@ -125,7 +151,9 @@ static enum pp_status answer_all(const struct pp_method_run *run,
     if (run->method->speaks_for == PP_FOR_MINIMUM && !average->why)
         *average = (struct pp_method_answer){
             .why = "the method gives the minimum in the room, not an average"};
-    return by_point ? answer_points(run, report, answers, err) : PP_OK;
+    return by_point && !found_points(run, report, answers)
+               ? answer_points(run, report, answers, err)
+               : PP_OK;
 }
 
 /* Withdraws a figure for the whole room, and gives the reason, if the figure needs more

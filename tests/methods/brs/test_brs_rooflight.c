@@ -196,13 +196,19 @@ static void windows_are_read_off_the_vertical_table(void **state)
     pp_world_destroy(world);
 }
 
-/* A room that has only windows uses the table of windows. Its average is the average of
- * that table, calculated once. */
-static void a_room_of_windows_has_the_average_of_their_table(void **state)
+/* A room that has only windows uses the table of windows. Its figures are those of that
+ * table, calculated once; the last point does not face up, which neither table covers. */
+static void a_room_of_windows_has_the_figures_of_their_table(void **state)
 {
     (void)state;
     static const char roof[] = "<rooflight x='1' y='3' width='1' depth='1'/>";
-    for (int with_roof = 0; with_roof < 2; with_roof++) {
+    const struct pp_receiver points[] = {
+        {.position = {1.3, 0.7, 0.85}, .normal = {0.0, 0.0, 1.0}},
+        {.position = {2.9, 4.1, 0.85}, .normal = {0.0, 0.0, 1.0}},
+        {.position = {2.2, 2.3, 1.2}, .normal = {0.0, -1.0, 0.0}}};
+    for (int i = 0; i < 4; i++) {
+        bool with_roof = i % 2;
+        int count = i < 2 ? 2 : 3;
         char xml[500];
         snprintf(xml, sizeof xml,
                  "<room version='1'><plan width='4' depth='6' height='2.7'/>"
@@ -213,8 +219,11 @@ static void a_room_of_windows_has_the_average_of_their_table(void **state)
         struct pp_world *world = pp_test_lit_world(&light, xml);
         assert_ptr_equal(pp_method_brs_rooflight.same_as(world),
                          with_roof ? NULL : &pp_method_brs_table);
-        struct pp_report both = {.world = world, .light = light},
-                         alone = {.world = world, .light = light};
+        struct pp_report both = {.world = world,
+                                 .light = light,
+                                 .receivers = points,
+                                 .receiver_count = count},
+                         alone = both;
         assert_int_equal(
             pp_methods_evaluate(&both, "brs-table,brs-table-rooflight", NULL), PP_OK);
         assert_int_equal(pp_methods_evaluate(&alone, "brs-table-rooflight", NULL),
@@ -224,6 +233,13 @@ static void a_room_of_windows_has_the_average_of_their_table(void **state)
             const struct pp_column *b =
                 pp_report_find(&alone, k, "brs-table-rooflight");
             assert_near(a->average.value, b->average.value, 0.0);
+            for (int point = 0; point < count; point++) {
+                assert_int_equal(a->points[point].why == NULL, point < 2);
+                if (point < 2)
+                    assert_near(a->points[point].value, b->points[point].value, 0.0);
+                else
+                    assert_string_equal(a->points[point].why, b->points[point].why);
+            }
         }
         assert_true(pp_report_find(&both, PP_SC, "brs-table-rooflight")->average.value
                     > 0.0);
@@ -262,7 +278,7 @@ TEST_FILE
         cmocka_unit_test(corners_add_up_above_and_aside_of_the_point),
         cmocka_unit_test(roof_windows_are_near_to_exact),
         cmocka_unit_test(windows_are_read_off_the_vertical_table),
-        cmocka_unit_test(a_room_of_windows_has_the_average_of_their_table),
+        cmocka_unit_test(a_room_of_windows_has_the_figures_of_their_table),
         cmocka_unit_test(other_slopes_and_diffusing_panes_are_refused),
     };
     add_tests(tests, NULL, NULL);
