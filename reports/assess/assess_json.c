@@ -3,14 +3,13 @@
 
 #include <math.h>
 
+#include "reports/assess/trees_note.h"
 #include "reports/parts/figure_unit.h"
 #include "reports/parts/json.h"
 #include "reports/parts/json_room.h"
 #include "reports/parts/print_band.h"
 #include "reports/parts/print_reliability.h"
 #include "reports/gains_report.h"
-#include "studies/criteria/trees_left_out.h"
-#include "studies/criteria/windows/opening_words.h"
 
 /* Makes the object { "of": "W1, south", "line": 9, "label": "W1", "wall": "south",
  * "figure": 30.1, "unit": "%", "wanted": 27, "bound": "least", "verdict": "met" }, with
@@ -120,27 +119,6 @@ static bool add_criteria(struct json_object *object,
     return good;
 }
 
-/* Adds "trees_left_out": { "criteria": ["vertical-sky"], "line": 3, "altitude": 62,
- * "of": "W1, south" } if trees in front of windows are left out of criteria. */
-static bool add_trees(struct json_object *object,
-                      const struct pp_assessment *assessment)
-{
-    struct pp_trees_left_out trees;
-    if (!pp_trees_left_out_find(&trees, assessment))
-        return true;
-    char window[PP_OPENING_WORDS];
-    pp_opening_words(window, assessment->room->world, trees.opening);
-    struct json_object *left_out = json_object_new_object();
-    struct json_object *list = json_object_new_array();
-    bool good = pp_json_add(object, "trees_left_out", left_out);
-    good = good && pp_json_add(left_out, "criteria", list);
-    for (int i = 0; i < trees.count && good; i++)
-        good = pp_json_append(list, json_object_new_string(trees.criteria[i]->name));
-    return good && pp_json_add(left_out, "line", json_object_new_int(trees.line))
-           && pp_json_number(left_out, "altitude", trees.altitude_rad / PP_RAD)
-           && pp_json_text(left_out, "of", window);
-}
-
 static struct json_object *room_object(const void *everything, int index)
 {
     const struct pp_assessments *all = everything;
@@ -173,7 +151,7 @@ static struct json_object *room_object(const void *everything, int index)
     }
     if (good)
         good = add_criteria(object, assessment, options->external_lux)
-               && add_trees(object, assessment);
+               && pp_trees_note_json(object, assessment, 1);
     if (good && assessment->has_gains)
         good = pp_gains_report_json(object, &assessment->gains);
     return pp_json_whole(object, good);

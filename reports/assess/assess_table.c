@@ -7,6 +7,7 @@
 
 #include "model/base/text.h"
 #include "reports/assess/finding_cells.h"
+#include "reports/assess/trees_note.h"
 #include "reports/parts/figure_unit.h"
 #include "reports/parts/print.h"
 #include "reports/parts/table.h"
@@ -441,6 +442,12 @@ enum pp_status pp_assess_table(const struct pp_assessments *all, int width, FILE
                               table.other_count, width, out, err);
     if (status == PP_OK)
         print_foot(&table, width, out);
+    char note[PP_TREES_NOTE_BYTES];
+    if (status == PP_OK
+        && pp_trees_note_text(note, all->list, all->count, " degrees")) {
+        fputs("\n  ", out);
+        pp_print_wrapped(note, 2, 2, width, out);
+    }
     pp_site_table_clear(&table);
     return status;
 }

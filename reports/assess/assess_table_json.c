@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "reports/assess/trees_note.h"
 #include "reports/parts/figure_unit.h"
 #include "reports/parts/json.h"
 #include "reports/parts/json_room.h"
@@ -177,7 +178,8 @@ enum pp_status pp_assess_table_json(const struct pp_assessments *all, FILE *out,
                 || add_rows(object, "gardens", table.gardens, table.garden_count, true))
             && (table.rights_count == 0
                 || pp_json_add(object, "rights_of_light", rights_object(&table)))
-            && add_others(object, &table);
+            && add_others(object, &table)
+            && pp_trees_note_json(object, all->list, all->count);
         status = pp_json_print(out, pp_json_whole(object, good), err);
     }
     pp_site_table_clear(&table);

@@ -7,13 +7,12 @@
 #include <string.h>
 
 #include "reports/assess/finding_cells.h"
+#include "reports/assess/trees_note.h"
 #include "reports/parts/print.h"
 #include "reports/parts/print_reliability.h"
 #include "reports/gains_report.h"
 #include "reports/parts/format.h"
 #include "model/base/text.h"
-#include "studies/criteria/trees_left_out.h"
-#include "studies/criteria/windows/opening_words.h"
 
 enum { CELL = PP_FINDING_CELL, COLUMNS = 6, INDENT = 4, GAP = 2, NOTE_INDENT = 6 };
 enum { WHAT, FIGURE, LUX, WANTED, OVER, VERDICT };
@@ -264,23 +263,14 @@ static void print_bands(const struct pp_assessment *assessment,
     pp_print_wrapped(text, 2, 2, layout->width, out);
 }
 
-/* Warns that trees in front of the windows are left out of some criteria. */
+/* Prints a note if criteria leave trees out. */
 static void print_trees(const struct pp_assessment *assessment,
                         const struct layout *layout, FILE *out)
 {
-    struct pp_trees_left_out trees;
-    char text[2048] = "Trees are left out of: ", window[PP_OPENING_WORDS];
-    if (!pp_trees_left_out_find(&trees, assessment))
+    char text[PP_TREES_NOTE_BYTES];
+    if (!pp_trees_note_text(text, assessment, 1,
+                            layout->utf8 ? "\xc2\xb0" : " degrees"))
         return;
-    for (int i = 0; i < trees.count; i++)
-        pp_text_append(text, sizeof text, "%s%s", i > 0 ? "; " : "",
-                       trees.criteria[i]->title);
-    pp_opening_words(window, assessment->room->world, trees.opening);
-    pp_text_append(text, sizeof text,
-                   ". The tree in line %d rises to %.0f%s above the horizon, seen from "
-                   "the window %s; simulations include it.",
-                   trees.line, trees.altitude_rad / PP_RAD,
-                   layout->utf8 ? "\xc2\xb0" : " degrees", window);
     fputs("\n  ", out);
     pp_print_wrapped(text, 2, 2, layout->width, out);
 }

@@ -78,8 +78,24 @@ not_left_out() {
     [ $status -eq 0 ] && ! grep -q 'left out' "$scratch/out" || told
 }
 
+left_out_table() {
+    {
+        echo '<building version="1">'
+        sed 's/ version="1"/ name="Den"/' "$scratch/tree.xml"
+        echo '<room name="Hall" x="9"><plan width="3" depth="3" height="2.6"/>' \
+            '<window wall="south" left="1" sill="1" width="1" height="1"/></room></building>'
+    } >"$scratch/two.xml"
+    run assess --by-hand --table "$scratch/two.xml"
+    tr '\n' ' ' <"$scratch/out" | tr -s ' ' | grep -q \
+        'Trees are left out of: .*The tree in line 2 rises to 82 .*W1, south, of the room Den' ||
+        told
+    run assess --by-hand --table -f json "$scratch/two.xml"
+    tr -d ' \n' <"$scratch/out" | grep -q '"room":"Den","line":2,"altitude":82.3' || told
+}
+
 check "assess names the criteria that leave trees out" left_out
 check "in JSON, too" left_out_json
+check "a table names the room" left_out_table
 check "no criterion that takes account of trees" not_left_out
 check "four engines agree on the light through a crown" engines_agree
 check "hand methods state why they give no value" hand_methods_refuse
