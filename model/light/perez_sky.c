@@ -148,12 +148,31 @@ static void set_efficacy(struct pp_perez_sky *sky, const double *row, double Z,
     sky->direct_lx = conditions->direct_w_m2 * fmax(direct, 0.0);
 }
 
+static double clamped_zenith(double sine)
+{
+    return pp_clamp(acos(pp_clamp(sine, -1.0, 1.0)), Z_LEAST, Z_MOST);
+}
+
+static double air_mass(double Z)
+{
+    return 1.0 / (cos(Z) + 0.15 * pow(93.885 - Z / PP_RAD, -1.253));
+}
+
+void pp_perez_sky_irradiances(double *direct_w_m2, double *diffuse_w_m2,
+                              double clearness, double brightness, double altitude_rad,
+                              double sun_distance_au)
+{
+    double Z = clamped_zenith(sin(altitude_rad));
+    *diffuse_w_m2 =
+        brightness * 1367.0 / (sun_distance_au * sun_distance_au * air_mass(Z));
+    *direct_w_m2 = *diffuse_w_m2 * (clearness - 1.0) * (1.0 + 1.041 * Z * Z * Z);
+}
+
 struct pp_perez_sky pp_perez_sky_of(const struct pp_perez_conditions *conditions)
 {
     struct pp_perez_sky sky = {.sun = conditions->sun, .clearness = 1.0, .bin = 1};
     double Ed = conditions->diffuse_w_m2, En = conditions->direct_w_m2;
-    double Z = pp_clamp(acos(pp_clamp(sky.sun.z, -1.0, 1.0)), Z_LEAST, Z_MOST);
-    double mass = 1.0 / (cos(Z) + 0.15 * pow(93.885 - Z / PP_RAD, -1.253));
+    double Z = clamped_zenith(sky.sun.z), mass = air_mass(Z);
     double distance = conditions->sun_distance_au, cube = 1.041 * Z * Z * Z;
     double clearness = Ed > 0.0   ? ((Ed + En) / Ed + cube) / (1.0 + cube)
                        : En > 0.0 ? INFINITY

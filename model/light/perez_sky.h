@@ -75,6 +75,13 @@ struct pp_perez_sky {
     unsigned limits; /* enum pp_perez_limit */
 };
 
+/* Diffuse irradiance (W/m2) at which the sky has this brightness D, and direct normal
+ * irradiance at which it then has the clearness eps, for the sun at this altitude (rad)
+ * and distance. */
+void pp_perez_sky_irradiances(double *direct_w_m2, double *diffuse_w_m2,
+                              double clearness, double brightness, double altitude_rad,
+                              double sun_distance_au);
+
 /* Sky of an hour. Without diffuse irradiance it is black; without any irradiance there
  * is no sun either. */
 struct pp_perez_sky pp_perez_sky_of(const struct pp_perez_conditions *conditions);

@@ -14,9 +14,11 @@ enum { PLACE_WORDS = 12 };
 struct gendaylit_options {
     char *place[PLACE_WORDS]; /* place and time, for pp_rad_gensky_place */
     int place_count;
-    bool sun;                  /* true if the sun is part of the scene */
-    double direct, diffuse;    /* W/m2; NAN: not given */
-    bool direct_is_horizontal; /* -G */
+    bool sun;             /* true if the sun is part of the scene */
+    char input;           /* 'W', 'G', 'L', 'P' or 'E'; 0: not given */
+    double first, second; /* numbers of that option */
+    double interval_min;  /* -i; 0: not given */
+    bool colour;          /* -C */
     double dew_point_c, ground;
     int output; /* 0: visible radiation, 1: all solar radiation */
 };
@@ -33,10 +35,16 @@ static bool set_numbers(struct gendaylit_options *asked, char letter, const doub
     switch (letter) {
     case 'W':
     case 'G':
-        asked->direct = n[0];
-        asked->diffuse = n[1];
-        asked->direct_is_horizontal = letter == 'G';
-        return n[0] >= 0.0 && n[1] >= 0.0;
+    case 'L':
+    case 'P':
+    case 'E':
+        asked->input = letter;
+        asked->first = n[0];
+        asked->second = letter == 'E' ? 0.0 : n[1];
+        return asked->first >= 0.0 && asked->second >= 0.0;
+    case 'i':
+        asked->interval_min = n[0];
+        return n[0] >= 0.0;
     case 'd':
         asked->dew_point_c = n[0];
         return n[0] >= -40.0 && n[0] <= 40.0;
@@ -65,8 +73,8 @@ static bool read_gendaylit(struct gendaylit_options *asked, char *const *words,
                    && asked->place_count + 2 <= PLACE_WORDS) {
             asked->place[asked->place_count++] = words[i++];
             asked->place[asked->place_count++] = words[i];
-        } else if (letter && strchr("WGdgO", letter)) {
-            int numbers = letter == 'W' || letter == 'G' ? 2 : 1;
+        } else if (letter && strchr("WGLPEidgO", letter)) {
+            int numbers = strchr("WGLP", letter) ? 2 : 1;
             bool good = i + numbers < count;
             for (int k = 0; k < numbers && good; k++)
                 good = pp_text_parse_number(words[i + 1 + k], &n[k]);
@@ -75,13 +83,18 @@ static bool read_gendaylit(struct gendaylit_options *asked, char *const *words,
                                    "expected valid numbers after gendaylit's option ",
                                    word);
             i += numbers;
-        } else if (letter != 'w') {
+        } else if (letter == 'C') {
+            asked->colour = true;
+        } else if (letter != 'w' && strcmp(word, "-CIE") != 0) {
             return complain_of(wrong, room,
-                               "expected -W or -G, and not gendaylit's option ", word);
+                               "expected -W, -G, -L, -P or -E, and not gendaylit's "
+                               "option ",
+                               word);
         }
     }
-    if (isnan(asked->direct))
-        return complain_of(wrong, room, "expected gendaylit with -W or -G", "");
+    if (!asked->input)
+        return complain_of(wrong, room, "expected gendaylit with -W, -G, -L, -P or -E",
+                           "");
     return true;
 }
 
@@ -128,13 +141,16 @@ static double rounded(double value, const char *format)
 }
 
 static void set_sky(struct pp_gensky *sky, const struct gendaylit_options *asked,
+                    const struct pp_perez_conditions *weather,
                     const struct pp_perez_sky *perez, double altitude,
                     struct pp_vec3 sun)
 {
     static const double half_sun = 0.2665 * PP_RAD, efficacy = 179.0;
-    double factor = asked->output == 1 ? asked->diffuse : perez->diffuse_lx / efficacy;
+    double factor =
+        asked->output == 1 ? weather->diffuse_w_m2 : perez->diffuse_lx / efficacy;
     factor /= patch_integral(perez, altitude);
-    double direct = asked->output == 1 ? asked->direct : perez->direct_lx / efficacy;
+    double direct =
+        asked->output == 1 ? weather->direct_w_m2 : perez->direct_lx / efficacy;
     double radiance = direct / (2.0 * PP_PI * (1.0 - cos(half_sun)));
     bool shines = asked->sun && perez->clearness > 1.0;
     int type = !(perez->clearness > 1.0) ? PP_GENSKY_OVERCAST
@@ -160,19 +176,75 @@ static void set_sky(struct pp_gensky *sky, const struct gendaylit_options *asked
         pp_vec(rounded(sun.x, "%f"), rounded(sun.y, "%f"), rounded(sun.z, "%f")));
 }
 
+/* Fraction of the global irradiance that is diffuse, by clearness index [EKD82]. */
+static double erbs_fraction(double kt)
+{
+    if (kt <= 0.22)
+        return 1.0 - 0.09 * kt;
+    if (kt > 0.8)
+        return 0.165;
+    return 0.9511 + kt * (-0.1604 + kt * (4.388 + kt * (-16.638 + kt * 12.336)));
+}
+
+/* Finds the irradiances whose sky has these illuminances (lx). The luminous efficacies
+ * depend on the irradiances, so that they are found by iteration. Like gendaylit, this
+ * stops after nine steps; near the limits of a bin the values need not converge. */
+static void find_irradiances(struct pp_perez_conditions *weather, double direct_lx,
+                             double diffuse_lx)
+{
+    static const double solar_w_m2 = 1367.0, solar_lx = 127500.0, least_w_m2 = 1e-6;
+    weather->direct_w_m2 = direct_lx * solar_w_m2 / solar_lx;
+    weather->diffuse_w_m2 = diffuse_lx * solar_w_m2 / solar_lx;
+    for (int i = 0; i < 9 && diffuse_lx > 0.0; i++) {
+        struct pp_perez_conditions now = *weather;
+        now.direct_w_m2 = fmax(now.direct_w_m2, least_w_m2);
+        struct pp_perez_sky sky = pp_perez_sky_of(&now);
+        double efficacy = sky.direct_lx / now.direct_w_m2;
+        weather->diffuse_w_m2 = diffuse_lx * now.diffuse_w_m2 / sky.diffuse_lx;
+        weather->direct_w_m2 = efficacy < 0.1 ? 0.0 : direct_lx / efficacy;
+    }
+}
+
+/* Irradiances (W/m2) of the options. */
+static void set_irradiances(struct pp_perez_conditions *weather,
+                            const struct gendaylit_options *asked, double altitude)
+{
+    double distance = weather->sun_distance_au, global = asked->first;
+    double outside = 1367.0 / (distance * distance) * sin(altitude);
+    switch (asked->input) {
+    case 'P': /* with the limits of the model; eps has one that gendaylit lowers */
+        pp_perez_sky_irradiances(
+            &weather->direct_w_m2, &weather->diffuse_w_m2,
+            asked->first > 12.01 ? 12.009 : fmax(asked->first, 1.0),
+            fmin(fmax(asked->second, 0.01), 0.6), altitude, distance);
+        return;
+    case 'L':
+        find_irradiances(weather, asked->first, asked->second);
+        return;
+    case 'E':
+        if (global > outside)
+            global = 0.999 * outside;
+        weather->diffuse_w_m2 = global * erbs_fraction(global / outside);
+        weather->direct_w_m2 = (global - weather->diffuse_w_m2) / sin(altitude);
+        return;
+    default:
+        weather->direct_w_m2 =
+            asked->input == 'G' ? asked->first / sin(altitude) : asked->first;
+        weather->diffuse_w_m2 = asked->second;
+    }
+}
+
 bool pp_rad_gendaylit_evaluate(struct pp_gensky *sky, char *const *words, int count,
                                char *wrong, size_t room)
 {
-    struct gendaylit_options asked = {.sun = true,
-                                      .direct = NAN,
-                                      .diffuse = NAN,
-                                      .dew_point_c = 10.97353115,
-                                      .ground = 0.2};
+    static const double solar_w_m2 = 1367.0, solar_lx = 127500.0;
+    struct gendaylit_options asked = {
+        .sun = true, .dew_point_c = 10.97353115, .ground = 0.2};
     double altitude, azimuth;
     int day;
     if (!read_gendaylit(&asked, words, count, wrong, room)
-        || !pp_rad_gensky_place(&altitude, &azimuth, &day, asked.place,
-                                asked.place_count, wrong, room))
+        || !pp_rad_gensky_place(&altitude, &azimuth, &day, asked.interval_min,
+                                asked.place, asked.place_count, wrong, room))
         return false;
     if (!(altitude > 0.0))
         return complain_of(wrong, room,
@@ -180,22 +252,26 @@ bool pp_rad_gendaylit_evaluate(struct pp_gensky *sky, char *const *words, int co
                            "it",
                            "");
     altitude = fmin(altitude, 87.0 * PP_RAD);
-    if (asked.direct_is_horizontal)
-        asked.direct /= sin(altitude);
     double c = cos(altitude);
     struct pp_vec3 sun = pp_vec(-sin(azimuth) * c, -cos(azimuth) * c, sin(altitude));
-    const struct pp_perez_conditions conditions = {.direct_w_m2 = asked.direct,
-                                                   .diffuse_w_m2 = asked.diffuse,
-                                                   .sun = sun,
-                                                   .sun_distance_au =
-                                                       1.0 / sqrt(eccentricity(day)),
-                                                   .dew_point_c = asked.dew_point_c};
-    struct pp_perez_sky perez = pp_perez_sky_of(&conditions);
-    if (perez.limits & PP_PEREZ_B_POSITIVE || !(asked.diffuse > 0.0))
-        return complain_of(wrong, room,
-                           "gendaylit has no sky for these irradiances; expected other "
-                           "values",
-                           "");
-    set_sky(sky, &asked, &perez, altitude, sun);
+    struct pp_perez_conditions weather = {.sun = sun,
+                                          .sun_distance_au =
+                                              1.0 / sqrt(eccentricity(day)),
+                                          .dew_point_c = asked.dew_point_c};
+    set_irradiances(&weather, &asked, altitude);
+    struct pp_perez_sky perez = pp_perez_sky_of(&weather);
+    if (asked.input == 'L') {
+        perez.direct_lx = asked.first;
+        perez.diffuse_lx = asked.second;
+    }
+    if (perez.limits & PP_PEREZ_B_POSITIVE || !(weather.diffuse_w_m2 > 0.0)
+        || weather.direct_w_m2 > solar_w_m2 || perez.direct_lx > solar_lx)
+        return complain_of(
+            wrong, room, "gendaylit has no sky for these values; expected others", "");
+    if (asked.colour && !(perez.clearness > 1.065 && perez.clearness < 4.5))
+        return complain_of(
+            wrong, room, "expected a sky without colours, and not gendaylit's option ",
+            "-C");
+    set_sky(sky, &asked, &weather, &perez, altitude, sun);
     return true;
 }

@@ -27,6 +27,7 @@ struct gensky_options {
     bool by_angle, solar_time, has_meridian;
     int month, day, year;
     double hour;
+    double interval_h;                    /* of gendaylit's -i; 0: none */
     double altitude, azimuth;             /* rad; azimuth west of south */
     double latitude, longitude, meridian; /* rad; west is positive */
     double turbidity, ground;
@@ -222,19 +223,36 @@ static double declination_of_year(const struct gensky_options *asked,
     return asin(sin(obliquity) * sin(l));
 }
 
+/* Moves the solar time (h) of an interval with sunrise or sunset to the middle of its
+ * sunlit part, as gendaylit does. plain: declination without -y. */
+static double middle_of_sunlit_part(const struct gensky_options *asked, double plain,
+                                    double time)
+{
+    double half = 0.5 * asked->interval_h;
+    double noon_to_set = acos(-tan(asked->latitude) * tan(plain)) * 12.0 / PP_PI;
+    double rise = 12.0 - noon_to_set, set = 12.0 + noon_to_set;
+    if (half > 0.0 && fabs(rise - time) <= half) /* false where there is no sunrise */
+        time = 0.5 * (time + half + rise);
+    if (half > 0.0 && fabs(set - time) < half)
+        time = 0.5 * (time - half + set);
+    return time;
+}
+
 static void place_sun(struct gensky_options *asked)
 {
     double time = asked->hour, declination;
+    double day = day_of_year(asked->month, asked->day);
+    double plain = 0.4093 * sin(2.0 * PP_PI / 365.0 * (day - 81.0));
     if (asked->year) {
         declination = declination_of_year(asked, &time);
     } else {
-        double day = day_of_year(asked->month, asked->day);
-        declination = 0.4093 * sin(2.0 * PP_PI / 365.0 * (day - 81.0));
+        declination = plain;
         if (!asked->solar_time)
             time += 0.170 * sin(4.0 * PP_PI / 373.0 * (day - 80.0))
                     - 0.129 * sin(2.0 * PP_PI / 355.0 * (day - 8.0))
                     + 12.0 / PP_PI * (asked->meridian - asked->longitude);
     }
+    time = middle_of_sunlit_part(asked, plain, time);
     double s = sin(asked->latitude), c = cos(asked->latitude);
     double turn = time * PP_PI / 12.0;
     asked->altitude = asin(s * sin(declination) - c * cos(declination) * cos(turn));
@@ -372,17 +390,19 @@ static bool read_all(struct gensky_options *asked, char *const *words, int count
     }
     if (!read_options(asked, words, count, wrong, room))
         return false;
-    if (!asked->by_angle)
-        place_sun(asked);
     return true;
 }
 
 bool pp_rad_gensky_place(double *altitude, double *azimuth, int *day,
-                         char *const *words, int count, char *wrong, size_t room)
+                         double interval_min, char *const *words, int count,
+                         char *wrong, size_t room)
 {
     struct gensky_options asked;
     if (!read_all(&asked, words, count, wrong, room))
         return false;
+    asked.interval_h = interval_min / 60.0;
+    if (!asked.by_angle)
+        place_sun(&asked);
     *altitude = asked.altitude;
     *azimuth = asked.azimuth;
     *day = asked.by_angle ? 0 : (int)day_of_year(asked.month, asked.day);
@@ -395,6 +415,8 @@ bool pp_rad_gensky_evaluate(struct pp_gensky *sky, char *const *words, int count
     struct gensky_options asked;
     if (!read_all(&asked, words, count, wrong, room))
         return false;
+    if (!asked.by_angle)
+        place_sun(&asked);
     set_brightness(sky, &asked);
     return true;
 }

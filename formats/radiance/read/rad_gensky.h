@@ -24,9 +24,12 @@ bool pp_rad_gensky_evaluate(struct pp_gensky *sky, char *const *words, int count
 
 /* Sun (rad; azimuth west of south) and day of the year from the first four words of
  * gensky or gendaylit and their options -y, -a, -o and -m. *day is 0 with -ang.
- * Otherwise as pp_rad_gensky_evaluate. */
+ * interval_min: as gendaylit's -i; the time is the middle of an interval of this length
+ * (minutes), and if the sun rises or sets in it, the middle of its sunlit part counts
+ * instead; 0: the time itself. Otherwise as pp_rad_gensky_evaluate. */
 bool pp_rad_gensky_place(double *altitude, double *azimuth, int *day,
-                         char *const *words, int count, char *wrong, size_t room);
+                         double interval_min, char *const *words, int count,
+                         char *wrong, size_t room);
 
 /* Horizontal illuminance over pi times the zenith luminance, by gensky's formulae for a
  * type of sky (enum pp_gensky_kind). */

@@ -294,67 +294,6 @@ static void files_that_copies_read_without_end_are_refused(void **state)
     unlink(name);
 }
 
-/* Skies as printed by Radiance's gendaylit, to its digits. */
-static void skies_are_those_of_gendaylit(void **state)
-{
-    (void)state;
-    static const struct {
-        const char *options;
-        double zenith, ground, perez[5], sun[3], solar;
-    } skies[] = {{"-ang 35 -30 -W 600 120",
-                  37.64,
-                  15.93,
-                  {-1.020356, -0.313945, 13.055488, -3.439730, 0.294227},
-                  {0.409576, -0.709406, 0.573576},
-                  4.846e6},
-                 {"3 21 12 -a 51.5 -o 0.1 -m 0 -W 0 150 -g 0.3",
-                  16.88,
-                  8.279,
-                  {0.842267, -0.561730, 0.681250, -0.514831, -0.019387},
-                  {0.034037, -0.786521, 0.616625},
-                  0.0},
-                 {"6 21 +9.5 -a 51.5 -y 2021 -W 300 100 -O 1",
-                  52.91,
-                  18.38,
-                  {-1.075933, -0.232554, 13.116358, -3.473042, 0.210480},
-                  {0.558547, -0.322094, 0.764382},
-                  4.414e6},
-                 {"6 21 12 -a 23 -o 0 -m 0 -G 800 60 -s -d 5",
-                  15.71,
-                  5.654,
-                  {-1.028290, -0.283610, 28.340997, -6.602328, 1.551987},
-                  {0.030374, 0.042620, 0.998630},
-                  0.0},
-                 {"-ang 89 0 -W 850 90 -w",
-                  23.24,
-                  39.44,
-                  {-1.020169, -0.269402, 27.552033, -6.358006, 1.586417},
-                  {0.0, -0.052336, 0.998630},
-                  7.252e6}};
-    for (size_t i = 0; i < sizeof skies / sizeof *skies; i++) {
-        char text[200];
-        snprintf(text, sizeof text,
-                 "!gendaylit %s\nskyfunc glow sky 0 0 4 1 1 1 0\n"
-                 "sky source dome 0 0 4 0 0 1 180\n",
-                 skies[i].options);
-        struct pp_scene_description scene = scene_of(text);
-        const struct pp_pattern *sky = &scene.patterns[0];
-        assert_int_equal(sky->type, PP_GENSKY_PEREZ);
-        assert_relative(sky->zenith, skies[i].zenith, 1e-3);
-        assert_relative(sky->ground, skies[i].ground, 1e-3);
-        for (int k = 0; k < 5; k++)
-            assert_near(sky->perez[k], skies[i].perez[k], 2e-5);
-        assert_near(sky->sun.x, skies[i].sun[0], 2e-6);
-        assert_near(sky->sun.y, skies[i].sun[1], 2e-6);
-        assert_near(sky->sun.z, skies[i].sun[2], 2e-6);
-        bool sun = skies[i].solar > 0.0;
-        assert_int_equal(scene.shape_count, sun ? 2 : 1);
-        if (sun)
-            assert_relative(scene.materials[0].radiance.g, skies[i].solar, 1e-3);
-        pp_scene_description_clear(&scene);
-    }
-}
-
 /* The same sky printed into a scene, and turned by 90 degrees. */
 static void a_written_perez_sky_turns_with_its_scene(void **state)
 {
@@ -620,12 +559,6 @@ static void unsupported_input_is_rejected_with_its_line(void **state)
         {"!gensky 1 1 12 -z 3\n", "no option -z"},
         {"!gensky 1 1 12 -B\n", "after gensky's option -B"},
         {"!gensky 1 1 12 | xform -rx 10\n", "the sky is tilted"},
-        {"!gendaylit 1 1 12 -P 2 .1\n", "not gendaylit's option -P"},
-        {"!gendaylit 1 1 12 -W 2\n", "valid numbers after gendaylit's option -W"},
-        {"!gendaylit 1 1 12\n", "expected gendaylit with -W or -G"},
-        {"!gendaylit 13 1 12 -W 2 3\n", "expected gendaylit with month"},
-        {"!gendaylit -ang -3 0 -W 2 3\n", "below the horizon"},
-        {"!gendaylit -ang 3 0 -W 9 0\n", "has no sky for these irradiances"},
     };
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
         struct pp_scene_description scene;
@@ -673,7 +606,6 @@ TEST_FILE
         cmocka_unit_test(boxes_may_have_bevelled_and_round_edges),
         cmocka_unit_test(a_file_includes_a_file),
         cmocka_unit_test(files_that_copies_read_without_end_are_refused),
-        cmocka_unit_test(skies_are_those_of_gendaylit),
         cmocka_unit_test(a_written_perez_sky_turns_with_its_scene),
         cmocka_unit_test(skies_are_those_of_gensky),
         cmocka_unit_test(a_zone_is_its_meridian),
