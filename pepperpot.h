@@ -149,6 +149,12 @@ void pp_study_point(const struct pp_study *study, int index, double xyz[3]);
 enum pp_status pp_study_methods(struct pp_study *study, const char *methods,
                                 bool explain, struct pp_error *err);
 
+/* Sets a condition under which pp_study_methods and pp_study_plan stop with
+ * PP_INTERRUPTED: for a program that may not need the result any more. `came` is called
+ * thousands of times a second, from several threads at once; NULL: the functions are
+ * not stopped. */
+void pp_study_stop_when(struct pp_study *study, bool (*came)(void *data), void *data);
+
 /* Adds a variant of a published formula to all later calls of pp_study_methods: "irc =
  * 0.83 W / (A (1 - R)) (C R_fw + 5 R_cw)", or with the name of the method "split-flux:
  * irc = ...". Its columns are called "bre-variant", then "bre-variant-2". PP_BAD_INPUT

@@ -195,6 +195,11 @@ enum pp_status pp_study_methods(struct pp_study *study, const char *methods,
     return pp_methods_evaluate(&study->report, methods, err);
 }
 
+void pp_study_stop_when(struct pp_study *study, bool (*came)(void *data), void *data)
+{
+    study->options.method_options.stop = (struct pp_stop){came, data};
+}
+
 enum pp_status pp_study_formula(struct pp_study *study, const char *formula,
                                 struct pp_error *err)
 {

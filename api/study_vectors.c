@@ -45,6 +45,7 @@ enum pp_status pp_study_plan(const struct pp_study *study, const char *methods,
     *bytes = NULL;
     *length = 0;
     options.methods = methods;
+    options.method_options.stop = study->options.method_options.stop;
     if (!(tolerance > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
                        "the tolerance is %g m; expected a length above 0", tolerance);

@@ -25,6 +25,12 @@
 struct added_to {
     const struct pp_direct_plane *direct;
     double irc;
+    struct pp_stop stop;
+};
+
+struct sky_seen {
+    const struct pp_world *world;
+    struct pp_stop stop;
 };
 
 /* ---- the contoured functions ---- */
@@ -34,8 +40,9 @@ static enum pp_status daylight_at(void *context, double x, double y, double *val
 {
     const struct added_to *added = context;
     double sky = 0.0, external = 0.0;
-    enum pp_status status =
-        pp_direct_plane_at(added->direct, x, y, &sky, &external, err);
+    enum pp_status status = pp_stop_check(added->stop, err);
+    if (status == PP_OK)
+        status = pp_direct_plane_at(added->direct, x, y, &sky, &external, err);
     *value = added->irc + sky + external;
     return status;
 }
@@ -43,7 +50,10 @@ static enum pp_status daylight_at(void *context, double x, double y, double *val
 static enum pp_status sky_seen_at(void *context, double x, double y, double *value,
                                   struct pp_error *err)
 {
-    const struct pp_world *world = context;
+    const struct sky_seen *seen = context;
+    const struct pp_world *world = seen->world;
+    if (pp_stop_check(seen->stop, err) != PP_OK)
+        return PP_INTERRUPTED;
     struct pp_vec3 eye = pp_direct_plane_off_walls(
         &world->plane, world->working_plane_m, SKY_INSET_M, x, y);
     return pp_exterior_sky_solid_angle(value, world, eye, err);
@@ -145,6 +155,7 @@ struct contours_wanted {
     double tolerance;
     const double *levels;
     int level_count; /* 0: chosen by the program */
+    struct pp_stop stop;
 };
 
 /* The function plus or minus its standard error: the two edges of a band. */
@@ -222,11 +233,12 @@ static enum pp_status add_contours(struct pp_daylight_plan *plan,
 
 static enum pp_status add_no_sky_line(struct pp_daylight_plan *plan,
                                       const struct pp_world *world, double tolerance,
-                                      struct pp_error *err)
+                                      struct pp_stop stop, struct pp_error *err)
 {
     struct pp_field *field;
-    enum pp_status status = pp_field_create(&field, &world->plane, sky_seen_at,
-                                            (void *)world, tolerance, err);
+    struct sky_seen seen = {world, stop};
+    enum pp_status status =
+        pp_field_create(&field, &world->plane, sky_seen_at, &seen, tolerance, err);
     if (status != PP_OK)
         return status;
     status = pp_contour_curves(field, NO_SKY_SR, &plan->no_sky, err);
@@ -254,19 +266,16 @@ static enum pp_status add_all(struct pp_daylight_plan *plan,
 {
     enum pp_status status = add_contours(plan, wanted, err);
     if (status == PP_OK)
-        status = add_no_sky_line(plan, world, wanted->tolerance, err);
+        status = add_no_sky_line(plan, world, wanted->tolerance, wanted->stop, err);
     if (status != PP_OK)
         pp_daylight_plan_clear(plan);
     return status;
 }
 
-enum pp_status pp_daylight_curves_by(struct pp_daylight_plan *plan,
-                                     const struct pp_world *world,
-                                     const struct pp_outside_light *light,
-                                     const struct pp_method *direct, double irc,
-                                     const char *irc_name, const double *levels,
-                                     int level_count, double tolerance_m,
-                                     struct pp_error *err)
+enum pp_status pp_daylight_curves_by(
+    struct pp_daylight_plan *plan, const struct pp_world *world,
+    const struct pp_outside_light *light, const struct pp_method *direct, double irc,
+    const char *irc_name, struct pp_daylight_curves_choice choice, struct pp_error *err)
 {
     *plan = (struct pp_daylight_plan){.direct = !irc_name};
     if (irc_name && !(isfinite(irc) && irc >= 0.0))
@@ -281,15 +290,18 @@ enum pp_status pp_daylight_curves_by(struct pp_daylight_plan *plan,
     enum pp_status status = pp_direct_plane_create(&plane, world, light, direct, err);
     if (status != PP_OK)
         return status;
-    struct added_to added = {.direct = plane, .irc = irc_name ? irc : 0.0};
+    struct added_to added = {
+        .direct = plane, .irc = irc_name ? irc : 0.0, .stop = choice.stop};
     const struct contours_wanted wanted = {
         .plane = &world->plane,
         .values = daylight_at,
         .context = &added,
-        .tolerance = tolerance_m > 0.0 ? tolerance_m
-                                       : pp_daylight_curves_tolerance(&world->plane),
-        .levels = levels,
-        .level_count = level_count};
+        .tolerance = choice.tolerance_m > 0.0
+                         ? choice.tolerance_m
+                         : pp_daylight_curves_tolerance(&world->plane),
+        .levels = choice.levels,
+        .level_count = choice.level_count,
+        .stop = choice.stop};
     status = add_all(plan, world, &wanted, err);
     pp_direct_plane_destroy(plane);
     return status;
@@ -302,7 +314,9 @@ enum pp_status pp_daylight_curves(struct pp_daylight_plan *plan,
                                   int level_count, struct pp_error *err)
 {
     return pp_daylight_curves_by(plan, world, light, &pp_method_exact, irc, irc_name,
-                                 levels, level_count, 0.0, err);
+                                 (struct pp_daylight_curves_choice){
+                                     .levels = levels, .level_count = level_count},
+                                 err);
 }
 
 enum pp_status pp_daylight_curves_of(struct pp_daylight_plan *plan,
@@ -327,7 +341,8 @@ enum pp_status pp_daylight_curves_no_sky(struct pp_daylight_plan *plan,
 {
     *plan = (struct pp_daylight_plan){0};
     enum pp_status status =
-        add_no_sky_line(plan, world, pp_daylight_curves_tolerance(&world->plane), err);
+        add_no_sky_line(plan, world, pp_daylight_curves_tolerance(&world->plane),
+                        (struct pp_stop){0}, err);
     if (status != PP_OK)
         pp_daylight_plan_clear(plan);
     return status;

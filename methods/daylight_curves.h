@@ -17,6 +17,7 @@
 #include "model/light/outside_light.h"
 #include "model/results/daylight_plan.h"
 #include "model/base/error.h"
+#include "model/base/stop.h"
 #include "model/geometry/contour/field.h"
 #include "model/room/world.h"
 
@@ -34,17 +35,25 @@ enum pp_status pp_daylight_curves(struct pp_daylight_plan *plan,
                                   const char *irc_name, const double *levels,
                                   int level_count, struct pp_error *err);
 
+/* Levels as above, and the tolerance of the curves (m; 0: the default). All zero: the
+ * defaults. */
+struct pp_daylight_curves_choice {
+    const double *levels;
+    int level_count;
+    double tolerance_m;
+    struct pp_stop stop;
+};
+
 /* Fills plan as pp_daylight_curves does, but with the direct component by any method
- * that gives values at points and does not count squares or dots, and to the given
- * tolerance (m; 0: the default). The plan's name is "direct+irc_name". If irc_name is
+ * that gives values at points and does not count squares or dots. The plan's name is "direct+irc_name". If irc_name is
  * NULL, the figures are the direct component only. PP_BAD_INPUT with the reason if the
  * method does not cover the room. */
 enum pp_status pp_daylight_curves_by(struct pp_daylight_plan *plan,
                                      const struct pp_world *world,
                                      const struct pp_outside_light *light,
                                      const struct pp_method *direct, double irc,
-                                     const char *irc_name, const double *levels,
-                                     int level_count, double tolerance_m,
+                                     const char *irc_name,
+                                     struct pp_daylight_curves_choice choice,
                                      struct pp_error *err);
 
 /* Finds contours of any daylight factor over the working plane, at round levels as

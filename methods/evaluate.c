@@ -388,6 +388,8 @@ enum pp_status pp_methods_evaluate(struct pp_report *report, const char *selecti
     if (status == PP_OK)
         status = pp_beams_create(&shared.beams, report->world,
                                  report->options && report->options->plain, err);
+    if (status == PP_OK && report->options)
+        pp_beams_stop_when(shared.beams, report->options->stop);
     if (status == PP_OK)
         status = find_planes(&planes, report, err);
     report->light.planes = &planes;

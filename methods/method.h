@@ -13,6 +13,7 @@
 #include <stdbool.h>
 
 #include "methods/allowance.h"
+#include "model/base/stop.h"
 #include "model/light/outside_light.h"
 #include "model/results/reading.h"
 #include "model/results/worksheet.h"
@@ -66,6 +67,7 @@ struct pp_method_options {
     const struct pp_variant_list
         *variants; /* not owned; NULL: no formula is replaced */
     bool plain;    /* true: no tables, beams and other short cuts (methods/fast/) */
+    struct pp_stop stop;
 };
 
 struct pp_method {

@@ -77,6 +77,7 @@ enum pp_status pp_method_run_init(struct pp_method_run *run,
         refused = run->refused;
     }
     run->plain = report->options && report->options->plain;
+    run->stop = report->options ? report->options->stop : (struct pp_stop){0};
     if (method->prepare_fast && !refused && !run->plain)
         status = method->prepare_fast(&run->tools, world, run->light, err);
     if (method->prepare && !refused)
@@ -124,6 +125,8 @@ static enum pp_status add_opening_components(const struct pp_method_run *run, in
     const struct pp_world *world = run->world;
     bool roughly = run->roughly && method->evaluate_roughly;
     struct pp_part part;
+    if (pp_stop_check(run->stop, err) != PP_OK)
+        return PP_INTERRUPTED;
     memset(&part, 0, offsetof(struct pp_part, sheet.list)); /* leaves out the list,
                                                              * which is still empty */
     part.sheet.steps = answer->steps;
@@ -370,6 +373,8 @@ enum pp_status pp_method_run_average(const struct pp_method_run *run,
         *answer = sum.refusal;
         return PP_OK;
     }
+    if (stopped && pp_stop_check(run->stop, err) != PP_OK)
+        return PP_INTERRUPTED;
     if (stopped)
         return pp_fail(err, PP_SYSTEM,
                        "the calculation of the average of %s over the working plane "

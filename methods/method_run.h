@@ -38,6 +38,7 @@ struct pp_method_run {
     struct pp_method_shared shared;
     bool plain;   /* true: no tables, beams and other fast methods */
     bool roughly; /* true: by evaluate_roughly, for an average */
+    struct pp_stop stop;
 };
 
 /* A method's corrected components, summed over all openings, or the reason why there

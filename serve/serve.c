@@ -17,8 +17,9 @@
 #include "serve/stores/weather_store.h"
 #include "serve/work/work_line.h"
 
-/* Time after a stop for finishing work, and then for sending answers (s). */
-static const double work_grace_s = 1.0, sending_grace_s = 0.3;
+/* Times after a stop (s): until work is cancelled, until the server no longer waits for
+ * cancelled work, and until connections are closed. */
+static const double work_ends_s = 1.0, waiting_ends_s = 1.5, sending_ends_s = 1.7;
 
 static enum pp_status fail_serve(struct pp_error *err, const char *what)
 {
@@ -27,6 +28,13 @@ static enum pp_status fail_serve(struct pp_error *err, const char *what)
         snprintf(err->message, sizeof err->message, "%s", what);
     }
     return PP_SYSTEM;
+}
+
+static double serve_clock(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
 static void sleep_s(double seconds)
@@ -104,13 +112,15 @@ static bool end_server(struct pp_server *server)
     MHD_socket listening = MHD_quiesce_daemon(server->daemon);
     if (listening != MHD_INVALID_SOCKET)
         close(listening);
-    for (double left = work_grace_s; left > 0.0 && count_work(server) > 0; left -= 0.02)
+    double began = serve_clock();
+    while (serve_clock() < began + work_ends_s && count_work(server) > 0)
         sleep_s(0.02);
     atomic_store(&server->ending, true);
-    if (!pp_work_line_destroy(server->programs, 1.0)
-        || !pp_work_line_destroy(server->studies, 1.0))
+    if (!pp_work_line_destroy(server->programs, began + waiting_ends_s - serve_clock())
+        || !pp_work_line_destroy(server->studies,
+                                 began + waiting_ends_s - serve_clock()))
         return false;
-    for (double left = sending_grace_s; left > 0.0; left -= 0.02) {
+    while (serve_clock() < began + sending_ends_s) {
         const union MHD_DaemonInfo *info =
             MHD_get_daemon_info(server->daemon, MHD_DAEMON_INFO_CURRENT_CONNECTIONS);
         if (!info || info->num_connections == 0)

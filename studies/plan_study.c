@@ -139,7 +139,8 @@ static struct pp_reading everywhere(const struct pp_report *report, const char *
 
 static enum pp_status draw_choice(struct pp_plan_study *study,
                                   const struct pp_choice *choice, const char *name,
-                                  double tolerance_m, struct pp_error *err)
+                                  double tolerance_m, struct pp_stop stop,
+                                  struct pp_error *err)
 {
     const char *internal = choice->internal ? choice->internal->name : NULL;
     struct pp_reading irc = pp_reading_of(0.0);
@@ -153,8 +154,10 @@ static enum pp_status draw_choice(struct pp_plan_study *study,
     enum pp_status status = open_world(&open, study->report.world, err);
     if (status == PP_OK)
         status = pp_daylight_curves_by(&study->plan, &open, &study->report.light,
-                                       choice->method, irc.value, internal, NULL, 0,
-                                       tolerance_m, err);
+                                       choice->method, irc.value, internal,
+                                       (struct pp_daylight_curves_choice){
+                                           .tolerance_m = tolerance_m, .stop = stop},
+                                       err);
     pp_region_clear(&open.plane);
     return status == PP_OK ? set_figures(study, name, !internal, err) : status;
 }
@@ -188,8 +191,8 @@ static enum pp_status by_hand(struct pp_plan_study *study,
     study->report.options = &options->method_options; /* because `one` goes out of scope
                                                        * here */
     if (status == PP_OK)
-        status =
-            draw_choice(study, &selection.choices[0], one.methods, tolerance_m, err);
+        status = draw_choice(study, &selection.choices[0], one.methods, tolerance_m,
+                             options->method_options.stop, err);
     pp_selection_clear(&selection);
     return status;
 }

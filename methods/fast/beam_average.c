@@ -19,7 +19,7 @@ struct beam_integral {
     double bearing[2]; /* limits of the part's bearings (rad) */
     double share[2];   /* limits of the part's altitudes, as fractions of the altitudes
                         * that the opening faces */
-    bool failed;
+    enum pp_status status;
 };
 
 /* Range of altitudes at a bearing for which the direction is above the horizon and in
@@ -57,10 +57,9 @@ static int integrand_at(unsigned dim, const double *square, void *data, unsigned
     double facing = integral->level * level * cos(bearing) + integral->tilt * rise;
     struct pp_beam_areas areas = {0};
     values[0] = values[1] = 0.0;
-    if (!(facing > 0.0) || integral->failed)
+    if (!(facing > 0.0) || integral->status != PP_OK)
         return 0;
-    if (pp_kept_beam_areas(&areas, integral->beam, u, NULL) != PP_OK)
-        integral->failed = true;
+    integral->status = pp_kept_beam_areas(&areas, integral->beam, u, NULL);
     const struct pp_plane_light *light = integral->light;
     double weight = facing * level * (integral->bearing[1] - integral->bearing[0])
                     * (integral->share[1] - integral->share[0]) * height;
@@ -99,8 +98,8 @@ static enum pp_status integrate_parts(double sum[2], struct part_integral *of,
                                       const struct beam_integral *like, int parts,
                                       double absolute, int points, struct pp_error *err)
 {
-    bool failed = false;
-    for (int i = 0; i < parts && !failed; i++) {
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < parts && status == PP_OK; i++) {
         const double low[2] = {0.0, 0.0}, high[2] = {1.0, 1.0};
         struct beam_integral own = *like;
         double error[2];
@@ -110,18 +109,21 @@ static enum pp_status integrate_parts(double sum[2], struct part_integral *of,
             own.bearing[k] = bearings[i / LAYERS + k] * PP_PI / 2.0;
             own.share[k] = layers[i % LAYERS + k];
         }
-        failed = hcubature(2, integrand_at, &own, 2, low, high, (size_t)points,
+        status = hcubature(2, integrand_at, &own, 2, low, high, (size_t)points,
                            absolute, 0.0, ERROR_L1, of[i].values, error)
-                     != 0
-                 || own.failed;
+                         != 0
+                     ? PP_SYSTEM
+                     : own.status;
         of[i].error = error[0] + error[1];
     }
     sum[0] = sum[1] = 0.0;
-    for (int i = 0; i < parts && !failed; i++) {
+    for (int i = 0; i < parts && status == PP_OK; i++) {
         sum[0] += of[i].values[0];
         sum[1] += of[i].values[1];
     }
-    return failed ? pp_fail_memory(err) : PP_OK;
+    return status == PP_SYSTEM        ? pp_fail_memory(err)
+           : status == PP_INTERRUPTED ? pp_fail(err, PP_INTERRUPTED, "interrupted")
+                                      : PP_OK;
 }
 
 enum pp_status pp_beam_average(double mean[2], struct pp_beams *beams,

@@ -26,6 +26,7 @@ enum { GLASSES = 4 }; /* number of glasses whose means are kept */
 static const long long work_budget = 200000000;
 
 struct pp_kept_beam {
+    struct pp_stop stop;
     struct pp_beam *beam; /* NULL: not created yet */
     struct pp_beam_space space;
     int count, places;
@@ -60,6 +61,12 @@ enum pp_status pp_beams_create(struct pp_beams **made, const struct pp_world *wo
     }
     *made = beams;
     return PP_OK;
+}
+
+void pp_beams_stop_when(struct pp_beams *beams, struct pp_stop stop)
+{
+    for (int i = 0; i < 2 * beams->world->opening_count; i++)
+        beams->list[i].stop = stop;
 }
 
 void pp_beams_destroy(struct pp_beams *beams)
@@ -144,6 +151,8 @@ enum pp_status pp_kept_beam_areas(struct pp_beam_areas *areas,
                                   struct pp_error *err)
 {
     *areas = (struct pp_beam_areas){0};
+    if (pp_stop_check(kept->stop, err) != PP_OK)
+        return PP_INTERRUPTED;
     kept->space.work_budget = work_budget;
     if (pp_beam_budget_exhausted(&kept->space))
         return PP_OK;

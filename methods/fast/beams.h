@@ -11,6 +11,7 @@
 #define PP_METHODS_FAST_BEAMS_H
 
 #include "methods/fast/beam.h"
+#include "model/base/stop.h"
 
 struct pp_beams;
 
@@ -20,6 +21,9 @@ struct pp_beams;
 enum pp_status pp_beams_create(struct pp_beams **beams, const struct pp_world *world,
                                bool plain, struct pp_error *err);
 void pp_beams_destroy(struct pp_beams *beams); /* NULL is allowed */
+
+/* Areas are not evaluated any more once the condition holds. */
+void pp_beams_stop_when(struct pp_beams *beams, struct pp_stop stop);
 
 const struct pp_world *pp_beams_world(const struct pp_beams *beams);
 bool pp_beams_plain(const struct pp_beams *beams);

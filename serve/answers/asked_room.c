@@ -255,6 +255,7 @@ bool pp_asked_room_open(struct pp_asked_room *asked, struct pp_task *task)
         fail_mistakes(task, asked, &err);
         return false;
     }
+    pp_study_stop_when(asked->study, pp_task_is_given_up, task);
     if (points && !set_points(asked, task, points))
         return false;
     return !is_too_large(task, asked);

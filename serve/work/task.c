@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 /* Maximum number of unsent bytes of a stream. */
 enum { WAITING_MOST = 8 << 20 };
@@ -60,6 +61,16 @@ bool pp_task_is_cancelled(struct pp_task *task)
     bool is_cancelled = task->is_cancelled;
     pthread_mutex_unlock(&task->lock);
     return is_cancelled || atomic_load(&task->server->ending);
+}
+
+bool pp_task_is_given_up(void *data)
+{
+    struct pp_task *task = data;
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC_COARSE, &now); /* changes every few milliseconds */
+    if (atomic_exchange(&task->looked_ns, now.tv_nsec) != now.tv_nsec)
+        atomic_store(&task->was_cancelled, pp_task_is_cancelled(task));
+    return atomic_load(&task->was_cancelled);
 }
 
 void pp_task_cancel(struct pp_task *task)
@@ -135,6 +146,8 @@ void pp_task_fail(struct pp_task *task, unsigned status, const char *format, ...
 
 void pp_task_fail_with(struct pp_task *task, const struct pp_error *err)
 {
+    if (err->status == PP_INTERRUPTED)
+        return;
     pp_task_fail(task,
                  err->status == PP_BAD_INPUT ? MHD_HTTP_UNPROCESSABLE_CONTENT
                                              : MHD_HTTP_INTERNAL_SERVER_ERROR,

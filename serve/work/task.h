@@ -44,6 +44,11 @@ struct pp_task {
     int socket;
     int owners;
 
+    /* For pp_task_is_given_up: when the socket was polled, and whether the task was
+     * cancelled then. */
+    atomic_long looked_ns;
+    atomic_bool was_cancelled;
+
     /* Set by the queue (work_line.h). */
     struct pp_task *next;
     uint64_t turn;
@@ -58,6 +63,9 @@ void pp_task_release(struct pp_task *task); /* NULL is allowed */
 /* True if the client has closed its connection (the socket is polled) or the server is
  * stopping. */
 bool pp_task_is_cancelled(struct pp_task *task);
+/* Like pp_task_is_cancelled, but polls the socket only every few milliseconds, so that
+ * calculations can call it often. data: the task. */
+bool pp_task_is_given_up(void *data);
 void pp_task_cancel(struct pp_task *task);
 
 /* Sets the complete answer, and takes ownership of `bytes`, which were allocated by
@@ -71,7 +79,8 @@ void pp_task_answer_json(struct pp_task *task, unsigned status,
  * instead. */
 void pp_task_fail(struct pp_task *task, unsigned status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-/* Answers with an error of the library and the corresponding HTTP status. */
+/* Answers with an error of the library and the corresponding HTTP status. Does nothing
+ * for PP_INTERRUPTED: nobody waits for the answer, or the server is stopping. */
 void pp_task_fail_with(struct pp_task *task, const struct pp_error *err);
 
 /* Adds an event to the stream, which begins if necessary. data: one or more lines. If

@@ -1,6 +1,7 @@
 /* work_line.c - see work_line.h. */
 #include "serve/work/work_line.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <time.h>
 
@@ -128,7 +129,9 @@ bool pp_work_line_destroy(struct pp_work_line *line, double seconds)
     pthread_mutex_unlock(&line->lock);
     struct timespec until;
     clock_gettime(CLOCK_REALTIME, &until);
+    seconds = fmax(seconds, 0.0) + 1e-9 * (double)until.tv_nsec;
     until.tv_sec += (time_t)seconds;
+    until.tv_nsec = (long)(1e9 * fmod(seconds, 1.0));
     for (int i = 0; i < line->worker_count; i++)
         if (pthread_timedjoin_np(line->workers[i], NULL, &until) != 0)
             return false;

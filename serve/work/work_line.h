@@ -34,8 +34,8 @@ enum pp_work_line_verdict pp_work_line_submit(struct pp_work_line *line,
 int pp_work_line_count(struct pp_work_line *line);
 
 /* Stops the workers after their present slice and finishes all tasks. line NULL: does
- * nothing. Returns false if a slice takes longer than `seconds` (whole seconds); the
- * queue is then not freed. */
+ * nothing. Returns false if a slice takes longer than `seconds`; the queue is then not
+ * freed. */
 bool pp_work_line_destroy(struct pp_work_line *line, double seconds);
 
 #endif
