@@ -25,7 +25,7 @@ struct pp_depth_profile {
 /* Makes the profile, in order of distance. Points less than 5 cm farther than the first
  * point of an entry belong to that entry. Points behind the plane of the wall, as in an
  * L-shaped room, are omitted. Always call pp_depth_profile_clear, even after a failure
- * (PP_NO_MEMORY). */
+ * (PP_SYSTEM). */
 enum pp_status pp_depth_profile_find(struct pp_depth_profile *profile,
                                      const struct pp_annual_sheet *sheet,
                                      struct pp_error *err);

@@ -67,7 +67,8 @@ double pp_surface_materials_pane_mirrored(const struct pp_opening *opening,
  * angle of incidence. Valid also for panes that scatter. */
 double pp_surface_materials_pane_from(const struct pp_opening *opening,
                                       struct pp_vec3 u, double cosine);
-/* The same of the sun, which slats can follow. */
+/* The same for direct sunlight, through slats that are turned by the sun if they follow
+ * it. */
 double pp_surface_materials_pane_sun(const struct pp_opening *opening, struct pp_vec3 u,
                                      double cosine);
 
