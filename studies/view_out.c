@@ -28,16 +28,11 @@ struct bearing_span {
     double from, to;
 };
 
-/* A line of sight: distance from the glass to its end, and its solid angle. */
-struct view_line {
-    double distance_m, solid_angle;
-};
-
 /* Sums over all openings. */
 struct view_sum {
     struct bearing_span *spans;
     int span_count, span_space;
-    struct view_line *lines;
+    struct pp_view_line *lines;
     int line_count, line_space;
 };
 
@@ -45,12 +40,6 @@ static int by_span_start(const void *a, const void *b)
 {
     const struct bearing_span *s = a, *t = b;
     return (s->from > t->from) - (s->from < t->from);
-}
-
-static int by_line_distance(const void *a, const void *b)
-{
-    const struct view_line *s = a, *t = b;
-    return (s->distance_m > t->distance_m) - (s->distance_m < t->distance_m);
 }
 
 /* Total width of the ranges on the circle, with overlaps counted once. Ranges that
@@ -74,21 +63,51 @@ static double spans_union(struct bearing_span *spans, int count)
     return sum;
 }
 
-/* Distance reached by half of the lines, weighted by solid angle; 0 if there are no
- * lines. */
-static double median_distance(struct view_line *lines, int count)
+/* Moves lines nearer than `distance_m` to the front, followed by those at that distance.
+ * ends: indices after both groups. weights: their solid angles. */
+static void part_lines(int ends[2], double weights[2], struct pp_view_line *lines,
+                       int count, double distance_m)
 {
-    double whole = 0.0, sum = 0.0;
-    for (int i = 0; i < count; i++)
-        whole += lines[i].solid_angle;
-    if (count > 0)
-        qsort(lines, (size_t)count, sizeof *lines, by_line_distance);
+    weights[0] = weights[1] = 0.0;
+    ends[0] = ends[1] = 0;
     for (int i = 0; i < count; i++) {
-        sum += lines[i].solid_angle;
-        if (sum >= 0.5 * whole)
-            return lines[i].distance_m;
+        struct pp_view_line line = lines[i];
+        if (line.distance_m > distance_m)
+            continue;
+        bool nearer = line.distance_m < distance_m;
+        weights[nearer ? 0 : 1] += line.solid_angle;
+        lines[i] = lines[ends[1]];
+        lines[ends[1]++] = line;
+        if (nearer) {
+            lines[ends[1] - 1] = lines[ends[0]];
+            lines[ends[0]++] = line;
+        }
     }
-    return 0.0;
+}
+
+double pp_view_out_median_distance(struct pp_view_line *lines, int count)
+{
+    double half = 0.0, found = 0.0;
+    for (int i = 0; i < count; i++)
+        half += 0.5 * lines[i].solid_angle;
+    while (count > 0) {
+        /* The middle of three distances divides most lists well. */
+        double a = lines[0].distance_m, b = lines[count / 2].distance_m;
+        double c = lines[count - 1].distance_m, weights[2];
+        int ends[2];
+        found = fmax(fmin(a, b), fmin(fmax(a, b), c));
+        part_lines(ends, weights, lines, count, found);
+        if (weights[0] >= half && ends[0] > 0) {
+            count = ends[0];
+        } else if (weights[0] + weights[1] >= half) {
+            return found;
+        } else {
+            half -= weights[0] + weights[1];
+            lines += ends[1];
+            count -= ends[1];
+        }
+    }
+    return found;
 }
 
 /* Axes of the plane at unit distance in front of the eye (pp_visible_open_part). */
@@ -189,7 +208,7 @@ static enum pp_status add_view_lines(
         if (distance_m < NEAR_M)
             continue;
         *layers |= layer;
-        sum->lines[sum->line_count++] = (struct view_line){
+        sum->lines[sum->line_count++] = (struct pp_view_line){
             distance_m, wide * high / lines * pow(1.0 + x * x + y * y, -1.5)};
     }
     return status;
@@ -251,7 +270,7 @@ enum pp_status pp_view_out_from(struct pp_view_out *view, const struct pp_world 
     }
     if (status == PP_OK) {
         view->sight_angle_rad = spans_union(sum.spans, sum.span_count);
-        view->distance_m = median_distance(sum.lines, sum.line_count);
+        view->distance_m = pp_view_out_median_distance(sum.lines, sum.line_count);
     }
     free(sum.spans);
     free(sum.lines);

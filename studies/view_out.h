@@ -56,6 +56,16 @@ enum pp_status pp_view_out_from(struct pp_view_out *view, const struct pp_world 
                                 const struct pp_light_scene *scene, struct pp_vec3 eye,
                                 int lines, struct pp_error *err);
 
+/* A line of sight: distance from the glass to its end, and its solid angle. */
+struct pp_view_line {
+    double distance_m, solid_angle;
+};
+
+/* Distance reached by half of the lines, weighted by solid angle; 0 if there are no
+ * lines. Reorders the lines: the half that contains the median is divided again and
+ * again, which is faster than sorting all lines. */
+double pp_view_out_median_distance(struct pp_view_line *lines, int count);
+
 /* Limits of the levels; index: enum pp_view_level (index 0: 0). */
 extern const double pp_view_out_angle_rad[4];  /* 14, 28, 54 degrees */
 extern const double pp_view_out_distance_m[4]; /* 6, 20, 50 m */

@@ -1,7 +1,10 @@
 /* test_view_out.c - angle, distance and layers of the view through windows. */
 #include "studies/view_out.h"
 
+#include <stdlib.h>
+
 #include "simulate/scene/light_scene_of_world.h"
+#include "tests/lib/dice.h"
 #include "tests/lib/room_of.h"
 
 /* A plan of 4 x 6 m with windows in its south wall, and objects outside. */
@@ -161,6 +164,39 @@ static void rooflights_and_diffusing_glass_give_no_view(void **state)
     assert_near(view.distance_m, 0.0, 0.0);
 }
 
+static int by_distance(const void *a, const void *b)
+{
+    const struct pp_view_line *s = a, *t = b;
+    return (s->distance_m > t->distance_m) - (s->distance_m < t->distance_m);
+}
+
+/* Lists of 0 to 40 lines with equal distances, views of the sky (infinite distances) and
+ * weights that are sums of powers of two, so that sums have no rounding errors. */
+static void the_median_distance_is_that_of_the_sorted_lines(void **state)
+{
+    (void)state;
+    struct dice dice = {7};
+    struct pp_view_line lines[40];
+    assert_near(pp_view_out_median_distance(lines, 0), 0.0, 0.0);
+    for (int trial = 0; trial < 2000; trial++) {
+        int count = 1 + trial % 40;
+        double half = 0.0, sum = 0.0, sorted = NAN;
+        for (int i = 0; i < count; i++) {
+            double distance_m = floor(between(&dice, 0.0, 30.0));
+            lines[i].distance_m = distance_m > 24.0 ? INFINITY : distance_m;
+            lines[i].solid_angle = floor(between(&dice, 0.0, 9.0)) / 64.0;
+            half += lines[i].solid_angle / 2.0;
+        }
+        double found = pp_view_out_median_distance(lines, count);
+        qsort(lines, (size_t)count, sizeof *lines, by_distance);
+        for (int i = 0; i < count && isnan(sorted); i++) {
+            sum += lines[i].solid_angle;
+            sorted = sum >= half ? lines[i].distance_m : NAN;
+        }
+        assert_true(found == sorted);
+    }
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
@@ -175,6 +211,7 @@ TEST_FILE
         cmocka_unit_test(a_french_window_over_open_ground_has_all_layers),
         cmocka_unit_test(median_over_open_ground_is_at_the_mean_of_the_sines),
         cmocka_unit_test(rooflights_and_diffusing_glass_give_no_view),
+        cmocka_unit_test(the_median_distance_is_that_of_the_sorted_lines),
     };
     add_tests(tests, NULL, NULL);
 }
