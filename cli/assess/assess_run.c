@@ -57,6 +57,7 @@ enum pp_status pp_assess_run_compute(void *data, struct pp_error *err)
         .french_m = run->words->french_m,
         .grid = run->words->grid,
         .least_altitude_rad = run->words->least_altitude_rad,
+        .shortest_h = run->words->shortest_h,
         .trace_again = study->simulate,
         .of_averages = run->words->of_averages,
         .verdicts_only =

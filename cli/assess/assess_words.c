@@ -42,6 +42,15 @@ static enum pp_status read_altitude(const char *text, void *place, struct pp_err
     return PP_OK;
 }
 
+static enum pp_status read_shortest(const char *text, void *place, struct pp_error *err)
+{
+    double minutes;
+    if (!pp_text_parse_number(text, &minutes) || !(minutes > 0.0 && minutes <= 240.0))
+        return pp_fail(err, PP_BAD_INPUT, "minutes above 0 and up to 240, such as 5");
+    *(double *)place = minutes / 60.0;
+    return PP_OK;
+}
+
 const struct pp_option pp_assess_words_table[] = {
     {"table", 0, NULL,
      "Print one table of all windows and rooms, existing and proposed, instead of a "
@@ -92,6 +101,10 @@ const struct pp_option pp_assess_words_choice[] = {
      "of EN 17037 for the country (DE 11, CZ 13). For other countries there is a "
      "verdict only if it is the same for all altitudes from 5 to 20 degrees.",
      read_altitude, PLACE(least_altitude_rad)},
+    {"shortest", 0, "MIN",
+     "For sun-exposure and rules with hours of sun on a day, do not count intervals of "
+     "sun shorter than this. sun-exposure lists the others.",
+     read_shortest, PLACE(shortest_h)},
     {"room", 0, "NAME", "Assess only the room with this name.", pp_options_read_text,
      PLACE(room.room)},
     {"state", 0, "STATE",

@@ -44,6 +44,7 @@ struct pp_assess_words {
                         * median of the place; 0: not given */
     struct pp_grid_choice grid;  /* grid of assessment points, from --spacing */
     double least_altitude_rad;   /* from --least-altitude; 0: not given */
+    double shortest_h;           /* from --shortest; 0: not given */
     struct pp_section_place cut; /* position of the sections in a report */
     double french_m;     /* height of the reference point on French windows, m; 0:
                           * middle of the window */

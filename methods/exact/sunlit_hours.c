@@ -2,9 +2,11 @@
 #include "methods/exact/sunlit_hours.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "model/base/array.h"
+#include "model/base/text.h"
 #include "model/light/sun.h"
 #include "model/light/sun_path.h"
 
@@ -231,6 +233,33 @@ enum pp_status pp_sunlit_hours_above(struct pp_sunlit_day *day,
     }
     pp_sunlit_hours_unite(day);
     return status;
+}
+
+int pp_sunlit_hours_drop_short(struct pp_sunlit_day *day, double shortest_h)
+{
+    int kept = 0, all = day->count;
+    for (int i = 0; i < all; i++) {
+        double from = day->times[i][0], to = day->times[i][1];
+        if ((to - from) * 12.0 / PP_PI < shortest_h)
+            continue;
+        day->times[kept][0] = from;
+        day->times[kept++][1] = to;
+    }
+    day->count = kept;
+    return all - kept;
+}
+
+void pp_sunlit_hours_words(char *text, size_t room, const struct pp_sunlit_day *day)
+{
+    snprintf(text, room, "%s", day->count > 0 ? "" : "none");
+    for (int i = 0; i < day->count; i++) {
+        int minutes[2];
+        for (int k = 0; k < 2; k++)
+            minutes[k] = (int)lround((day->times[i][k] / PP_PI + 1.0) * 720.0);
+        pp_text_append(text, room, "%s%02d:%02d-%02d:%02d", i ? ", " : "",
+                       minutes[0] / 60, minutes[0] % 60, minutes[1] / 60,
+                       minutes[1] % 60);
+    }
 }
 
 double pp_sunlit_hours_sum(const struct pp_sunlit_day *day)

@@ -61,6 +61,13 @@ enum pp_status pp_sunlit_hours_above(struct pp_sunlit_day *day,
 /* Joins times that overlap. */
 void pp_sunlit_hours_unite(struct pp_sunlit_day *day);
 
+/* Removes times shorter than this (h), such as those of sun through a narrow gap.
+ * Returns how many. */
+int pp_sunlit_hours_drop_short(struct pp_sunlit_day *day, double shortest_h);
+
+/* Writes the times in solar time: "08:12-10:40, 13:05-13:09", or "none". */
+void pp_sunlit_hours_words(char *text, size_t room, const struct pp_sunlit_day *day);
+
 /* The length of all times, in hours. */
 double pp_sunlit_hours_sum(const struct pp_sunlit_day *day);
 void pp_sunlit_hours_clear(struct pp_sunlit_day *day);

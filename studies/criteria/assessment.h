@@ -29,6 +29,7 @@ struct pp_assess_options {
     double median_lux; /* used instead of the site's; 0: not given */
     double french_m;   /* as in struct pp_inquiry */
     double least_altitude_rad;          /* as in struct pp_inquiry */
+    double shortest_h;                  /* as in struct pp_inquiry */
     bool of_weather;                    /* true if median_lux comes from a weather
                                          * file */
     const struct pp_sunshine *sunshine; /* not owned; NULL: not known */

@@ -48,6 +48,8 @@ struct pp_inquiry {
                       * full-height window is calculated; 0: at its centre */
     double least_altitude_rad; /* altitude above which the sun counts for EN 17037; 0:
                                 * the value of the country's rules, if known */
+    double shortest_h; /* times of sun on a day that are shorter do not count, and the
+                        * others are listed; 0: not given */
     const struct pp_annual_sheet *year;    /* the room's simulated year; NULL: none */
     const struct pp_plane_grid *year_grid; /* grid of the year's points; NULL: not on a
                                             * grid of the plane */

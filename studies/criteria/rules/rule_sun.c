@@ -100,7 +100,7 @@ static enum pp_status find_worst_day(double *least, struct pp_month_day *worst,
                                      const struct pp_rule *rule,
                                      const struct pp_world *world,
                                      const struct pp_hidden_cones *hidden,
-                                     struct pp_error *err)
+                                     double shortest_h, struct pp_error *err)
 {
     const struct pp_sunlit_place place = {world->latitude_rad, world->north_rad,
                                           world->longitude_rad};
@@ -124,6 +124,7 @@ static enum pp_status find_worst_day(double *least, struct pp_month_day *worst,
         for (int i = 0; i < world->opening_count && status == PP_OK; i++)
             status = pp_sunlit_hours_above(&day, &hidden[i], place, date.month,
                                            date.day, above_rad, err);
+        pp_sunlit_hours_drop_short(&day, shortest_h);
         double hours = counted_hours(rule, &day);
         pp_sunlit_hours_clear(&day);
         if (status != PP_OK || hours < 0.0)
@@ -153,7 +154,8 @@ static enum pp_status judge_sun_hours(const struct pp_rule *rule,
     char words[32];
     enum pp_status status = find_hidden(&hidden, rule, world, err);
     if (status == PP_OK)
-        status = find_worst_day(&least, &worst, rule, world, hidden, err);
+        status = find_worst_day(&least, &worst, rule, world, hidden,
+                                inquiry->shortest_h, err);
     for (int i = 0; hidden && i < world->opening_count; i++)
         pp_hidden_cones_clear(&hidden[i]);
     free(hidden);

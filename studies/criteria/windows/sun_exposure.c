@@ -13,6 +13,7 @@
  * undecided, and the altitude at which the verdict changes is stated.
  */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "methods/exact/sunlit_hours.h"
@@ -22,6 +23,8 @@
 
 #define ABOVE_FLOOR_M 1.2
 #define ABOVE_SILL_M 0.3
+
+enum { INTERVALS = 200 }; /* bytes of the intervals as text */
 
 /* Range in which the altitudes of the standard's table are assumed to be. */
 static const double lowest_rad = 5.0 * PP_RAD, highest_rad = 20.0 * PP_RAD;
@@ -39,10 +42,12 @@ static double known_altitude_rad(const char *country)
     return 0.0;
 }
 
-/* The hours of sun above an altitude through any of the openings. */
-static enum pp_status find_hours(double *hours, const struct pp_world *world,
-                                 double above_rad, struct pp_error *err)
+/* The hours of sun above an altitude through any of the openings. words: room for the
+ * intervals as text; NULL: not wanted. */
+static enum pp_status find_hours(double *hours, const struct pp_inquiry *inquiry,
+                                 double above_rad, char *words, struct pp_error *err)
 {
+    const struct pp_world *world = inquiry->world;
     struct pp_sunlit_place place = {world->latitude_rad, world->north_rad,
                                     world->longitude_rad};
     struct pp_sunlit_day day = {0};
@@ -59,21 +64,30 @@ static enum pp_status find_hours(double *hours, const struct pp_world *world,
         status = pp_sunlit_hours_above(&day, &cones, place, 3, 21, above_rad, err);
         pp_hidden_cones_clear(&cones);
     }
+    int dropped = pp_sunlit_hours_drop_short(&day, inquiry->shortest_h);
     *hours = pp_sunlit_hours_sum(&day);
+    if (words) {
+        char times[INTERVALS];
+        pp_sunlit_hours_words(times, sizeof times, &day);
+        snprintf(words, INTERVALS + 160,
+                 "intervals of sun above %.4g degrees on 21 March, in solar time: %s; "
+                 "%d shorter than %g minutes left out",
+                 above_rad / PP_RAD, times, dropped, 60.0 * inquiry->shortest_h);
+    }
     pp_sunlit_hours_clear(&day);
     return status;
 }
 
 /* Finds, to 0.01 degrees, the greatest altitude above which the sun shines for the
  * required hours. */
-static enum pp_status find_turn(double *turn_rad, const struct pp_world *world,
+static enum pp_status find_turn(double *turn_rad, const struct pp_inquiry *inquiry,
                                 double wanted, struct pp_error *err)
 {
     double low = lowest_rad, high = highest_rad;
     enum pp_status status = PP_OK;
     while (high - low > 0.01 * PP_RAD && status == PP_OK) {
         double hours, middle = 0.5 * (low + high);
-        status = find_hours(&hours, world, middle, err);
+        status = find_hours(&hours, inquiry, middle, NULL, err);
         if (hours >= wanted)
             low = middle;
         else
@@ -90,7 +104,7 @@ struct bounded_hours {
     double least, most;
 };
 
-static enum pp_status find_bounded(struct bounded_hours *hours,
+static enum pp_status find_bounded(struct bounded_hours *hours, char *words,
                                    const struct pp_inquiry *inquiry,
                                    struct pp_error *err)
 {
@@ -98,17 +112,19 @@ static enum pp_status find_bounded(struct bounded_hours *hours,
                               ? inquiry->least_altitude_rad
                               : known_altitude_rad(inquiry->country);
     bool known = hours->altitude_rad > 0.0;
-    enum pp_status status = find_hours(&hours->least, inquiry->world,
-                                       known ? hours->altitude_rad : highest_rad, err);
+    enum pp_status status =
+        find_hours(&hours->least, inquiry, known ? hours->altitude_rad : highest_rad,
+                   known ? words : NULL, err);
     hours->most = hours->least;
     return status == PP_OK && !known
-               ? find_hours(&hours->most, inquiry->world, lowest_rad, err)
+               ? find_hours(&hours->most, inquiry, lowest_rad, words, err)
                : status;
 }
 
 static enum pp_status judge_level(struct pp_finding *finding, const char *name,
                                   double wanted, const struct bounded_hours *hours,
-                                  const struct pp_world *world, struct pp_error *err)
+                                  const struct pp_inquiry *inquiry,
+                                  struct pp_error *err)
 {
     bool met = hours->least >= wanted, decided = met || hours->most < wanted;
     *finding = pp_finding_of(PP_FIGURE_HOURS, met ? hours->least : hours->most, wanted,
@@ -124,7 +140,7 @@ static enum pp_status judge_level(struct pp_finding *finding, const char *name,
         return PP_OK;
     }
     double turn_rad;
-    enum pp_status status = find_turn(&turn_rad, world, wanted, err);
+    enum pp_status status = find_turn(&turn_rad, inquiry, wanted, err);
     finding->verdict = PP_UNDECIDED;
     pp_finding_note(
         finding,
@@ -148,11 +164,14 @@ static enum pp_status assess_sun_exposure(const struct pp_inquiry *inquiry,
             pp_finding_not_judged("the room file has no latitude (site)", "21 March");
         return pp_finding_list_add(findings, &finding, err);
     }
-    enum pp_status status = find_bounded(&hours, inquiry, err);
+    char words[INTERVALS + 160];
+    enum pp_status status = find_bounded(&hours, words, inquiry, err);
+    if (status == PP_OK && inquiry->shortest_h > 0.0)
+        pp_finding_list_add_basis(findings, "%s", words);
     for (int i = 0; i < 3 && status == PP_OK; i++) {
         struct pp_finding finding;
-        status = judge_level(&finding, levels[i].name, levels[i].hours, &hours,
-                             inquiry->world, err);
+        status = judge_level(&finding, levels[i].name, levels[i].hours, &hours, inquiry,
+                             err);
         finding.level = i + 1; /* 1: minimum */
         finding.is_optional = i > 0;
         if (status == PP_OK)

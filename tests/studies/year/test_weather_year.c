@@ -275,6 +275,50 @@ static void the_hour_of_sunset_has_the_sun_of_its_sunlit_part(void **state)
     pp_weather_year_clear(&year);
 }
 
+/* Between the hours of a weather file nothing is interpolated: direct light of an hour
+ * stays in it, so that the sum over the year is kept and no sun shines after sunset. In
+ * records of ten minutes with the same irradiance each has the sun of its own middle,
+ * and six of them have the horizontal direct light of the hour, to 0.5 %, as luminous
+ * efficacy and the sine of the altitude are nearly linear within an hour. */
+static void ten_minute_records_have_their_own_suns_and_the_light_of_their_hour(
+    void **state)
+{
+    (void)state;
+    static struct one_hour made;
+    const struct pp_epw_record lit = {.year = 2001,
+                                      .date = {4, 11},
+                                      .weekday = PP_WEEKDAY_UNKNOWN,
+                                      .start_h = 8.0,
+                                      .direct_w_m2 = 510.0,
+                                      .diffuse_w_m2 = 90.0,
+                                      .global_w_m2 = NAN,
+                                      .diffuse_lx = NAN};
+    struct pp_weather_year hourly = lit_hour(&made, 41.98, -87.92, -6.0, &lit);
+    assert_int_equal(hourly.sky_count, 1); /* none in the hours beside it */
+    const struct pp_perez_sky hour = hourly.skies[0];
+    pp_weather_year_clear(&hourly);
+    static struct pp_epw_record parts[6 * 8760];
+    for (int i = 0; i < 6 * 8760; i++) {
+        parts[i] = made.records[i / 6];
+        parts[i].start_h += i % 6 / 6.0;
+    }
+    struct pp_epw fine = made.epw;
+    fine.records = parts;
+    fine.record_count = 6 * 8760;
+    fine.record_h = 1.0 / 6.0;
+    struct pp_weather_year year = year_of(&fine, 0.0, false);
+    assert_int_equal(year.sky_count, 6);
+    double sum = 0.0;
+    for (int i = 0; i < 6; i++) {
+        sum += year.skies[i].direct_lx * year.skies[i].sun.z / 6.0;
+        if (i > 0) /* the sun climbs by about 1.8 degrees in ten minutes */
+            assert_near(asin(year.skies[i].sun.z) - asin(year.skies[i - 1].sun.z),
+                        1.8 * PP_RAD, 0.3 * PP_RAD);
+    }
+    assert_relative(sum, hour.direct_lx * hour.sun.z, 0.005);
+    pp_weather_year_clear(&year);
+}
+
 /* As in a weather file of New Delhi: the ratio in the formula for clearness is
  * infinite. */
 static void direct_light_alone_is_counted_and_dated(void **state)
@@ -310,6 +354,8 @@ TEST_FILE
         cmocka_unit_test(every_record_has_its_place),
         cmocka_unit_test(skies_turn_with_the_room),
         cmocka_unit_test(the_hour_of_sunset_has_the_sun_of_its_sunlit_part),
+        cmocka_unit_test(
+            ten_minute_records_have_their_own_suns_and_the_light_of_their_hour),
         cmocka_unit_test(direct_light_alone_is_counted_and_dated),
     };
     add_tests(tests, NULL, NULL);

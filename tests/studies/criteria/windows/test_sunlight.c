@@ -26,6 +26,8 @@ static struct pp_world *world_of(const char *body)
 /* Settings of the inquiries below. */
 static bool with_sunshine = true;
 static double least_altitude_rad = 1e-9;
+static double shortest_h = 0.0;
+static char basis[2048]; /* of the latest findings */
 
 /* Finding number `index` of one criterion for a room given by the content of its
  * element. */
@@ -47,11 +49,13 @@ static struct pp_finding finding_in(const struct pp_criterion *criterion, int in
                                        .pairs = pairs,
                                        .sunshine = with_sunshine ? &always : NULL,
                                        .least_altitude_rad = least_altitude_rad,
+                                       .shortest_h = shortest_h,
                                        .country = ""};
     struct pp_finding_list findings = {0};
     assert_int_equal(criterion->evaluate(&inquiry, &findings, NULL), PP_OK);
     assert_true(index < findings.count);
     struct pp_finding finding = findings.list[index];
+    snprintf(basis, sizeof basis, "%s", findings.basis);
     pp_finding_list_clear(&findings);
     pp_world_destroy(world);
     pp_world_destroy(before);
@@ -240,6 +244,32 @@ static void low_sun_decides_only_where_a_level_needs_it(void **state)
     least_altitude_rad = 1e-9;
 }
 
+/* At the equinox the sun at the equator rises due east by 15 degrees an hour. A wall in
+ * front of the window hides it up to 40 degrees, but for a slit from 20 to 21 degrees:
+ * 4 minutes, and 50/15 h from 40 degrees to noon. The sun's disc of 0.53 degrees takes 2
+ * minutes to pass an edge. */
+static void minutes_of_sun_through_a_slit_can_be_left_out(void **state)
+{
+    (void)state;
+    const char *slit = SITE(0.001) PLAN
+        "<window wall=\"east\" left=\"0.4\" sill=\"0.95\" width=\"4\" "
+        "height=\"1.3\"/>"
+        "<block x=\"14.1\" y=\"-200\" width=\"0.001\" depth=\"400\" base=\"0\" "
+        "height=\"4.8897\"/>" /* 1.25 + 10 tan 20 */
+        "<block x=\"14.1\" y=\"-200\" width=\"0.001\" depth=\"400\" "
+        "base=\"5.0886\" height=\"4.5524\"/>"; /* to 1.25 + 10 tan 40 */
+    assert_near(exposure(slit), 51.0 / 15.0, 0.02);
+    assert_null(strstr(basis, "intervals of sun"));
+    shortest_h = 3.0 / 60.0;
+    assert_near(exposure(slit), 51.0 / 15.0, 0.02);
+    assert_non_null(strstr(basis, "0 shorter than 3 minutes left out"));
+    shortest_h = 5.0 / 60.0;
+    assert_near(exposure(slit), 50.0 / 15.0, 0.02);
+    assert_non_null(strstr(basis, "in solar time: 08:4"));
+    assert_non_null(strstr(basis, "-12:00; 1 shorter than 5 minutes left out"));
+    shortest_h = 0.0;
+}
+
 static void possible_hours_are_not_judged(void **state)
 {
     (void)state;
@@ -296,6 +326,7 @@ TEST_FILE
         cmocka_unit_test(poles_and_the_equator_have_their_hours),
         cmocka_unit_test(on_the_equinox_jambs_cut_the_sun),
         cmocka_unit_test(low_sun_decides_only_where_a_level_needs_it),
+        cmocka_unit_test(minutes_of_sun_through_a_slit_can_be_left_out),
         cmocka_unit_test(possible_hours_are_not_judged),
         cmocka_unit_test(the_same_sun_through_two_windows_counts_once),
         cmocka_unit_test(
