@@ -243,8 +243,8 @@ static void print_case(const struct room *room, const struct pp_compared *compar
 }
 
 /* Traces the values that the causes produce, with `factor` if a common factor is a
- * cause. truth: the same values without noise, traced as accurately as compare's own
- * values. */
+ * cause; the caller adds the noise. truth: the same values, traced as accurately as
+ * compare's own values; NULL: not traced. */
 static void trace_causes(double *theirs, double *truth,
                          const struct pp_study_room *study, const struct room *room,
                          const int *causes, int count, double ground, double factor,

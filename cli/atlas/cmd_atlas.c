@@ -304,8 +304,8 @@ static void init_atlas_options(void *values)
         .room = pp_room_options_none, .sheet.method = "exact+bre"};
 }
 
-/* Checks that exactly one use of the command is requested, and that its arguments are
- * complete. */
+/* Checks that exactly one use of the command is requested, and that an atlas is given
+ * if this use reads one. */
 static enum pp_status check_use(const struct atlas_options *options, int files,
                                 struct pp_error *err)
 {

@@ -10,7 +10,8 @@
 
 enum { PANELS = PP_PEPPER_POT_PANELS, AZIMUTHS = PP_PEPPER_POT_AZIMUTHS };
 
-/* The azimuths from which light of altitude gamma reaches the receiver. */
+/* The range of azimuths from which light reaches the receiver; it is the same at all
+ * altitudes. */
 static void azimuths(const struct pp_pepper_pot *pot, double *low, double *high)
 {
     *low = -PP_PI / 2.0;

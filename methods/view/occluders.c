@@ -272,8 +272,9 @@ static bool lies_beside(const struct block_in_view *block, const struct sides *p
     return false;
 }
 
-/* Adds a block by its sides. If the view's plane does not cut the block, sides that
- * face away from the eye are left out: the others hide the same area. */
+/* Adds a block by its sides. Sides that face away from the eye are left out if the
+ * block is entirely in front of the eye or, in a view from inside, entirely beyond the
+ * view's plane: the other sides then hide the same area. */
 static enum pp_status collect_block(struct pp_occluders *inside,
                                     struct pp_occluders *outside,
                                     const struct pp_occluders_scene *scene,

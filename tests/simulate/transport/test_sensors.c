@@ -7,7 +7,7 @@
 #include "simulate/scene/light_scene_of_description.h"
 #include "tests/lib/near.h"
 
-/* A grey floor below two walls and a uniform sky. */
+/* A grey floor between two grey walls, and a small square lamp above it. */
 static struct pp_light_scene *courtyard(void)
 {
     static const struct pp_vec3 corners[3][4] = {
