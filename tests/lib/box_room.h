@@ -1,5 +1,5 @@
-/* box_room.h - a rectangular room with vertical windows, built by hand: a world and its
- * light without a room file, for tests of functions that read worlds. */
+/* box_room.h - a rectangular room with windows and rooflights, built by hand: a world
+ * and its light without a room file, for tests of functions that read worlds. */
 #ifndef PP_TESTS_LIB_BOX_ROOM_H
 #define PP_TESTS_LIB_BOX_ROOM_H
 
@@ -78,7 +78,7 @@ static inline void box_room_build(struct box_room *box, double width_m, double d
 }
 
 /* Adds an opening of clear glass to a face; `start`: its lower left corner seen from
- * inside. */
+ * inside. In floor and ceiling the width is along +x. */
 static inline struct pp_opening *box_room_open(struct box_room *box, int face,
                                                struct pp_vec3 start, double width_m,
                                                double height_m)

@@ -6,7 +6,7 @@
 
 #include "simulate/scene/rays.h"
 
-/* So far. */
+/* Number of structures built so far. */
 static int builds;
 
 enum pp_status __real_pp_rays_create(struct pp_rays **rays,

@@ -26,14 +26,14 @@ static inline struct pp_world *pp_test_equilibrium(struct pp_outside_light *ligh
     return world;
 }
 
-/* A box, and points in it that face in all directions. */
+/* A box, and points in it that face up, sideways and down. */
 #define PP_TEST_BOX "<plan width='3.1' depth='4.3' height='2.6'/>"
 #define PP_TEST_BOX_POINTS                                                             \
     "<point x='0.9' y='0.7'/><point x='1.7' y='3.9'/>"                                 \
     "<point x='2.3' y='1.9' z='1.4' nx='0.3' ny='-1' nz='0.1'/>"                       \
     "<point x='1.3' y='2.1' z='2.2' nx='0.1' ny='0.2' nz='-1'/>"
 
-/* Room files. Lossless glass on two sides and above. */
+/* Room files for lossless_glass = true. Glass on two sides and above. */
 #define PP_TEST_GLAZED_ROOM                                                            \
     "<room version='1'>" PP_TEST_BOX                                                   \
     "<window wall='south' left='0.3' sill='0.7' width='2.2' height='1.5'/>"            \
@@ -41,15 +41,15 @@ static inline struct pp_world *pp_test_equilibrium(struct pp_outside_light *ligh
     "<rooflight x='0.6' y='1.9' width='1.1' depth='1.3'/>" PP_TEST_BOX_POINTS          \
     "</room>"
 
-/* Deep reveals; lossless glass. */
+/* Deep reveals. */
 #define PP_TEST_REVEALED_ROOM                                                          \
     "<room version='1'>" PP_TEST_BOX                                                   \
     "<window wall='south' left='0.3' sill='0.7' width='2.2' height='1.5' "             \
     "reveal='0.35'/><rooflight x='0.6' y='1.9' width='1.1' depth='1.3' "               \
     "reveal='0.5'/>" PP_TEST_BOX_POINTS "</room>"
 
-/* An L-shape with a block and a surface outside, and its points; lossless glass. Its
- * wing sees its own outer wall and the other window from outside. */
+/* An L-shape with a block outside and a surface inside, and its points. Each of its two
+ * windows faces the other one's wall. */
 #define PP_TEST_L_SHAPED_ROOM                                                          \
     "<room version='1'><plan height='2.6'><vertex x='0' y='0'/>"                       \
     "<vertex x='5' y='0'/><vertex x='5' y='2'/><vertex x='2' y='2'/>"                  \

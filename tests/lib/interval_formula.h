@@ -24,8 +24,8 @@ void figures_add(struct figures *figures, const char *symbol, struct interval va
 /* Interval of a printed number: plus or minus half a unit of its last digit. */
 struct interval figure_as_printed(const char *digits);
 
-/* Interval of all values that the formula may have. False, with a message, if it is
- * invalid or uses an unknown symbol. */
+/* An interval that contains all values that the formula may have. False, with a
+ * message, if it is invalid or uses an unknown symbol. */
 bool formula_evaluate(struct interval *value, const char *formula,
                       const struct figures *figures, char message[128]);
 

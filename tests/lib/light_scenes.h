@@ -27,7 +27,8 @@ static inline void pp_test_dome(struct pp_scene_description *scene, int material
     assert_int_equal(pp_scene_description_add_shape(scene, &dome, NULL, NULL), PP_OK);
 }
 
-/* Adds a rectangle whose front is along x across. */
+/* Adds a rectangle; its front faces in the direction of the vector product of along and
+ * across. */
 static inline void pp_test_rectangle(struct pp_scene_description *scene, int material,
                                      struct pp_vec3 corner, struct pp_vec3 along,
                                      struct pp_vec3 across)
@@ -39,7 +40,8 @@ static inline void pp_test_rectangle(struct pp_scene_description *scene, int mat
         pp_scene_description_add_polygon(scene, v, 4, material, NULL, NULL), PP_OK);
 }
 
-/* Adds six faces that face inwards. */
+/* Adds the faces of a box of size x, y, z with a corner at the origin; they face
+ * inwards. */
 static inline void pp_test_box(struct pp_scene_description *scene, int material,
                                double x, double y, double z)
 {

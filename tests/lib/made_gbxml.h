@@ -9,8 +9,8 @@
 #include "formats/gbxml/gbxml_import.h"
 #include "tests/lib/near.h"
 
-/* A gbXML file under construction; lengths are given in metres, and written in
- * `unit`. */
+/* A gbXML file under construction; lengths are given in metres and written in the
+ * file's unit. */
 struct made_gbxml {
     char *text;
     size_t length;
@@ -54,8 +54,8 @@ static inline void made_gbxml_geometry(struct made_gbxml *file, int count,
     fputs("</PlanarGeometry>", file->out);
 }
 
-/* Writes a surface. inside: further content besides its geometry; may be NULL. other:
- * the second space; NULL: none. */
+/* Begins a surface; its openings follow, then made_gbxml_end_surface. space, other: the
+ * spaces on its two sides; NULL: none. */
 static inline void made_gbxml_surface(struct made_gbxml *file, const char *type,
                                       const char *space, const char *other, int count,
                                       const double *corners)
@@ -90,8 +90,8 @@ static inline void made_gbxml_end_surface(struct made_gbxml *file)
         __VA_ARGS__                                                                    \
     }
 
-/* Writes the six sides of a box from (x, 0, 0), except walls that are left out; the
- * window, 1.6 x 1.2 m, is in the south wall. */
+/* Writes the six sides of a box from (x, 0, 0), except those left out; a window of 1.6
+ * x 1.2 m is in the south wall. */
 enum { NO_EAST = 1, NO_WEST = 2, NO_ROOF = 4 };
 
 static inline void made_gbxml_box(struct made_gbxml *f, const char *space, double x,
@@ -146,8 +146,9 @@ static inline void made_gbxml_space(struct made_gbxml *file, const char *id,
             type, id);
 }
 
-/* Imports the file; `notes` (may be NULL) gets the notes, one per line. Not inlined,
- * since gcc 12 then warns of a dangling pointer where there is none. */
+/* Imports the file and frees its text; `notes` (may be NULL, of `room` bytes) gets the
+ * notes, one per line. Not inlined, since gcc 12 then warns of a dangling pointer where
+ * there is none. */
 static char *__attribute__((noinline, unused))
 made_gbxml_import(struct made_gbxml *file, char *notes, size_t room)
 {

@@ -1,4 +1,4 @@
-/* random_rooms.h - box rooms with windows on all sides, and their sky components by
+/* random_rooms.h - box rooms with one to three openings, and their sky components by
  * quadrature: an independent calculation for tests. */
 #ifndef PP_TESTS_LIB_RANDOM_ROOMS_H
 #define PP_TESTS_LIB_RANDOM_ROOMS_H
@@ -17,7 +17,7 @@ static inline double pp_test_random(uint64_t *series, double low, double high)
     return low + (high - low) * (double)(*series >> 11) * 0x1p-53;
 }
 
-/* A room of one to three windows, one of which may be a rooflight; glazed or not; under
+/* A room with one or two windows, or two windows and a rooflight; glazed or not; under
  * an overcast, uniform or clear sky. `count` receivers facing up are on its working
  * plane, at least 0.3 m from the walls. */
 static inline struct pp_world *pp_test_random_room(struct pp_outside_light *light,
@@ -168,7 +168,7 @@ static inline struct pp_coverage pp_test_sky_coverage(int first, int rooms)
 }
 
 /* Traces a few points of `rooms` rooms to 3 % with `seeds` seeds, and compares each
- * daylight factor with the mean of all, including the error of the mean. */
+ * daylight factor, and the average, with its mean over the seeds. */
 static inline struct pp_coverage pp_test_df_coverage(int first, int rooms, int seeds)
 {
     struct pp_coverage coverage = {0, 0, 0, 0};

@@ -49,7 +49,7 @@ static inline struct pp_outside_light pp_test_light(const char *xml)
     return light;
 }
 
-/* Both. */
+/* World and outdoor light of a valid room. */
 static inline struct pp_world *pp_test_lit_world(struct pp_outside_light *light,
                                                  const char *xml)
 {

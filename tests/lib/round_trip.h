@@ -140,9 +140,9 @@ static inline void pp_test_examples_beside(double error)
         pp_mistakes_clear(&mistakes);
     }
     globfree(&files);
-    /* The mean square is 1 where the errors are true, and less where they are bounds. A
-     * square of t has a variance of 2.5: 3.3 deviations of the mean of so many are once
-     * in 1000. */
+    /* The mean square is about 1 where the errors are true, and less where they are
+     * bounds. A square of t has a variance of 2.5: 3.3 deviations of the mean of so
+     * many are once in 1000. */
     double mean = all.squares / all.points;
     print_message("# all %d rooms, %d points: mean square %.3f\n", all.rooms,
                   all.points, mean);

@@ -8,7 +8,7 @@
 
 #include "model/room/world.h"
 
-/* True if p, in the polygon's plane, is inside it, by the winding number in
+/* True if p, in the polygon's plane, is inside it, by the number of edges crossed, in
  * projection. */
 static inline bool sight_within(const struct pp_polygon *polygon, struct pp_vec3 p)
 {
@@ -65,8 +65,9 @@ static inline bool sight_skyline(const struct pp_world *world, int face,
     return false;
 }
 
-/* True if the ray reaches the sky; it may pass through openings. `own`: a face that the
- * ray may cross; -1 for an eye in the room. */
+/* True if the ray reaches the sky. `own`: -1 for an eye in the room, whose ray may pass
+ * through openings; otherwise the face at whose outside the eye is, which the ray may
+ * cross. */
 static inline bool sight_sees_sky(const struct pp_world *world, struct pp_vec3 eye,
                                   struct pp_vec3 u, int own)
 {

@@ -11,7 +11,7 @@
 
 #include "tests/lib/near.h"
 
-/* A straight stroke from M to L, or to the start of the path. */
+/* A straight stroke from one point of a path to the next, or back to its start. */
 struct stroke {
     double x0, y0, x1, y1;
 };

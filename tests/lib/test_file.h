@@ -37,7 +37,7 @@
 /* True if the program was started with --full. */
 bool test_file_full_size(void);
 
-/* Copies the tests. `path` is the source file; it is not copied. */
+/* Copies the tests, and the name of the source file `path`. */
 void test_file_add(const char *path, const struct CMUnitTest *tests, size_t count,
                    CMFixtureFunction set_up, CMFixtureFunction tear_down);
 void test_file_add_long(const char *path, const struct CMUnitTest *tests, size_t count,

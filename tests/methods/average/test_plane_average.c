@@ -103,7 +103,7 @@ static void a_constant_and_a_polynomial_come_out(void **state)
     }
 }
 
-/* Compares with a midpoint sum. The stated error is a cautious estimate. */
+/* Compares with a midpoint sum. */
 static void a_peak_at_a_wall_is_integrated_to_the_target_error(void **state)
 {
     (void)state;
@@ -190,8 +190,8 @@ static struct pp_world *turned_room(struct pp_outside_light *light, double acros
     return pp_test_lit_world(light, xml);
 }
 
-/* The report's averages of both components, and the means over `fine` x `fine` points
- * at the centres of equal cells. These sums have nothing in common with the
+/* The report's averages of both components, and if requested, the means over FINE x
+ * FINE points at the centres of equal cells. These sums have nothing in common with the
  * cubature. */
 struct two_means {
     double average[2], summed[2];
@@ -234,7 +234,8 @@ static struct two_means means_of(struct pp_world *world,
 
 static const char *const methods_by_points[] = {"brs-table", "protractor"};
 
-/* Rooms in which an earlier rule with rectangles missed light, and ordinary rooms. */
+/* Windows of rooms in which an earlier rule with rectangles missed light, and of an
+ * ordinary room. */
 static const char many_windows[] = /* 4 x 3 of 0.18 m, in a wall 0.1 m thick */
     "<window wall='1' left='0.3' sill='1' width='0.18' height='0.18' reveal='0.1'/>"
     "<window wall='1' left='1.1' sill='1' width='0.18' height='0.18' reveal='0.1'/>"

@@ -83,8 +83,7 @@ static void level_table_is_symmetric(void **state)
                         4e-4); /* rows and columns have different spacings */
 }
 
-/* A rooflight above the point is the sum of four corners; beside the point, two corners
- * are subtracted from two others. */
+/* Sky component of the first opening at a point 0.85 m above the floor. */
 static double at(const struct pp_world *world, const struct pp_outside_light *light,
                  const struct pp_method *method, double x, double y)
 {
@@ -122,12 +121,13 @@ static void corners_add_up_above_and_aside_of_the_point(void **state)
         const double edges[2] = {(1.7 - y) / d, (2.8 - y) / d};
         for (int k = 0; k < 4; k++) {
             double w = jambs[k & 1], l = edges[k >> 1];
-            /* along the longer edges */
+            /* Above the point, the sum of four corners; beside the point, two corners
+             * are subtracted from the two others. */
             sum += ((k & 1) == (k >> 1) ? 1 : -1) * copysign(1, w) * copysign(1, l)
                    * pp_brs_rooflight_read(0, fabs(l), fabs(w));
         }
         assert_near(at(world, &light, &pp_method_brs_rooflight, x, y), sum, 1e-12);
-        /* between the lines */
+        /* values between the lines of the table are interpolated */
         assert_relative(sum, at(world, &light, &pp_method_exact, x, y), 0.02);
     }
     pp_world_destroy(world);
@@ -181,8 +181,7 @@ static void roof_windows_are_near_to_exact(void **state)
     }
 }
 
-/* Rooms with windows and rooflights have a value: windows are read from the printed
- * table. */
+/* Windows are read from the printed table of windows. */
 static void windows_are_read_off_the_vertical_table(void **state)
 {
     (void)state;

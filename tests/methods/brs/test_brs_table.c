@@ -159,7 +159,7 @@ static void behind_or_beside_the_window_nothing_is_seen(void **state)
     assert_near(brs_at(&box, 0, pp_vec(4.0, 2.0, 3.0)).sky, 0.0, 0.0);
 }
 
-/* With a reveal of 0.5 m, seen from 2 m: head and jambs of the outer outline are at
+/* With a reveal of 0.5 m, seen from 2 m: head and far jamb of the outer outline are at
  * 2.5 m, sill and near jamb of the inner one at 2 m. */
 static void light_passes_both_outlines_of_a_reveal(void **state)
 {
@@ -329,8 +329,8 @@ static void a_round_window_is_the_square_of_its_area(void **state)
     pp_world_destroy(world);
 }
 
-/* A block parallel to the window shows only its front. It is 5 m from the point and 2.5
- * m from the wall, so its projection on the wall is a third of its size. */
+/* A block parallel to the window shows only its front. Its front is 7.5 m from the
+ * point, the wall 2.5 m, so its projection on the wall is a third of its size. */
 static void a_block_hides_the_rectangle_of_its_front(void **state)
 {
     (void)state;
@@ -417,7 +417,7 @@ static void from_a_metre_on_the_table_is_a_little_low(void **state)
         worst = fmax(worst, fabs(off));
     }
     assert_in_range(count, 300, 2000);
-    /* Tolerances: three standard errors of the mean; rms as for half as many cells. */
+    /* Tolerance of the mean: three standard errors for 300 readings. */
     assert_near(sum / count, -0.014, 0.006);
     assert_near(sqrt(sum_squares / count), 0.034, 0.006);
     assert_near(worst, 0.0, 0.25);
@@ -456,7 +456,8 @@ static void what_the_table_does_not_hold_is_refused(void **state)
     assert_non_null(strstr(brs->refuses_room(&box.world, &box.light, &up), "overcast"));
 }
 
-/* Sky component by the table at (1.3, 1.1). */
+/* Light by the table at (1.3, 1.1). `outside` ends the window's tag; elements may
+ * follow. */
 static struct pp_part table_in(const char *outside)
 {
     char xml[1000];

@@ -6,8 +6,8 @@
 #include "methods/method.h"
 #include "tests/lib/room_of.h"
 
-/* A wall 1.3 m away hides the sky from the lower part of the pane, and a fin hides that
- * wall from one side. */
+/* A wall 1.3 m away hides the sky from the lower part of the pane, and a fin hides a
+ * part of the wall and of the sky. */
 #define ROOM                                                                           \
     "<room version='1'><plan width='3.1' depth='4.7' height='2.7'/>"                   \
     "<window wall='south' left='0.35' sill='0.4' width='1.7' height='1.9' reveal='0' " \
@@ -66,9 +66,9 @@ static struct pp_part sum_of_squares(const struct pp_world *world,
     return part;
 }
 
-/* Receivers that face up, face the pane, and are tilted so that their horizon crosses
- * the pane. The sums are accurate to 2e-3 near the fin, where the illuminance jumps at
- * the side of the pane. */
+/* Receivers that face up or down, face the pane, or are tilted so that their horizon
+ * crosses the pane. The sums are accurate to 2e-3 near the fin, where the illuminance
+ * jumps at the side of the pane. */
 static void every_square_of_an_uneven_pane_counts_by_its_own_light(void **state)
 {
     (void)state;
@@ -112,7 +112,8 @@ static void divided_rectangles_agree_with_quadrature_near_the_pane(void **state)
     pp_world_destroy(world);
 }
 
-/* The sky component of the pane at a receiver; plain: by quadrature of the sky. */
+/* Direct light of the pane at a receiver, by a table of the sky; plain: by
+ * quadrature. */
 static struct pp_part part_by(const struct pp_world *world,
                               const struct pp_outside_light *light, bool plain)
 {
@@ -127,8 +128,8 @@ static struct pp_part part_by(const struct pp_world *world,
     return part;
 }
 
-/* Low suns in front of the pane, behind it and beside it, and a sky without sun. The
- * table of the sky has errors of 1e-6 of the open sky. */
+/* Suns in front of the pane, beside it and behind it, and a sky without sun. The table
+ * of the sky has errors of 1e-6 of the open sky. */
 static void a_table_of_the_sky_lights_the_pane_as_quadrature_does(void **state)
 {
     (void)state;

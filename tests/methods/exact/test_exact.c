@@ -113,8 +113,8 @@ static void behind_and_in_its_plane_a_window_gives_nothing(void **state)
     assert_near(facing_up(world, &light, 1.1, -2.0, 0.8).sky, 0.0, 0.0);
     assert_near(at(world, &light, pp_vec(1.1, 2.0, 0.8), pp_vec(0.0, 1.0, 0.0)).sky,
                 0.0, 0.0);
-    /* Nothing is left for a receiver whose horizon is at the head; nothing is lost if
-     * it is at the sill. */
+    /* Nothing is left for a receiver whose horizon is at the head; light is left if it
+     * is at the sill. */
     double head = 2.3 - 0.8, sill = 0.9 - 0.8;
     struct pp_vec3 p = {1.1, 2.0, 0.8};
     struct pp_part none = at(world, &light, p, pp_vec(0.0, head, 2.0));
@@ -124,8 +124,9 @@ static void behind_and_in_its_plane_a_window_gives_nothing(void **state)
     pp_world_destroy(world);
 }
 
-/* A skyline of 20 degrees at infinite distance in front of an infinitely long window:
- * the vertical sky component above the skyline, and rho times the rest. */
+/* A skyline of 20 degrees at infinite distance in front of a window that seems
+ * infinitely wide from the point: the vertical sky component above the skyline, and rho
+ * times the rest. */
 static void a_far_skyline_leaves_its_vertical_sky_component(void **state)
 {
     (void)state;
@@ -155,7 +156,7 @@ static void a_far_skyline_leaves_its_vertical_sky_component(void **state)
     " glazing='none' reveal='" reveal "'/>"
 #define FACADE "<facade wall='south' left='7' right='9' up='5' down='1' "
 
-/* Checks the sky component at a point, and its mean over the plane. */
+/* Checks that the sky components of two rooms are equal at four points. */
 static void assert_same_sky(const char *xml, const char *as, double tolerance)
 {
     struct pp_outside_light light;

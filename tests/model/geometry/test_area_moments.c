@@ -22,7 +22,6 @@ static void a_triangles_centroid_is_the_mean_of_its_corners(void **state)
     (void)state;
     static const double corners[3][2] = {{1.3, 0.4}, {4.9, 1.1}, {2.2, 3.7}};
     static const double box[4] = {1.3, 4.9, 0.4, 3.7};
-    /* (3.6 x 3.3 - 0.7 x 0.9)/2 */
     double area = (3.6 * 3.3 - 0.7 * 0.9) / 2.0;
     struct pp_area_moments sum = pp_area_moments_empty();
     for (int i = 0; i < 3; i++)

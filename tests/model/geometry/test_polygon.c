@@ -137,7 +137,8 @@ static void walls_along_the_axes_enclose_points_too(void **state)
             bool inside = k < 2;
             assert_int_equal(pp_polygon_side(&polygon, point, 1e-6),
                              inside ? PP_INSIDE : PP_OUTSIDE);
-            /* Distance from the inner corner at (1.3, 1.1), and from the edge x = 0. */
+            /* Distance from the edges at the inner corner (1.3, 1.1), and from the edge
+             * x = 0. */
             double aside = inside ? 0.0 : k == 2 ? 0.9 : 0.5;
             assert_near(
                 pp_polygon_distance(&polygon, pp_vec_along(point, 1.2, polygon.normal)),

@@ -275,8 +275,8 @@ static void the_union_of_nothing_is_empty(void **state)
 }
 
 /* An L-shape of 5 by 2 and 2 by 3 above: half a metre inside, 4 by 1 and 1 by 3. Half a
- * metre inside a ring 1 m wide nothing is left; 0.1 m inside a ring 0.8 m wide a ring
- * is left. */
+ * metre inside a ring 1 m wide nothing is left; 0.1 m inside it, a ring 0.8 m wide is
+ * left. */
 static void inside_its_edge_an_l_is_a_smaller_l(void **state)
 {
     (void)state;
@@ -302,7 +302,7 @@ static void inside_its_edge_an_l_is_a_smaller_l(void **state)
     pp_region_clear(&outer);
 }
 
-/* Random convex quadrilaterals on a circle are divided into two counter-clockwise
+/* Random convex quadrilaterals on ellipses are divided into two counter-clockwise
  * triangles with the whole area. The diagonal is the one whose opposite angles add up
  * to at most 180 degrees (Delaunay). */
 static void a_convex_ring_of_four_is_cut_by_delaunay_s_diagonal(void **state)

@@ -11,7 +11,7 @@
 enum { SIDE = 9, COUNT = SIDE * SIDE };
 static const double STEP_M = 0.31, NOISE = 0.02;
 
-/* A layer with records on a floor, as far apart as their radius. */
+/* A layer without records. */
 static void make(struct pp_cache_layer *layer)
 {
     *layer = (struct pp_cache_layer){.settings = {.noise = NOISE, .most_m = 1e-9}};
@@ -53,7 +53,8 @@ static struct pp_cache_entry record_at(double x, double y, double value, double 
     return entry;
 }
 
-/* E = 2.3 + 0.4 x on the floor, with this noise in values and gradients. */
+/* E = 2.3 + 0.4 x on the floor, by records as far apart as their shorter radius, with
+ * this relative noise in values and gradients. */
 static void fill(struct pp_cache_layer *layer, double noise)
 {
     for (int i = 0; i < COUNT; i++) {
@@ -74,7 +75,7 @@ static double value_at(const struct pp_cache_layer *layer, double x, double y)
     return value.g / 0.7;
 }
 
-/* Root mean square of the relative errors of all records. */
+/* Root mean square of the relative errors of values read at a grid of points. */
 static double error_of(const struct pp_cache_layer *layer)
 {
     double sum = 0.0;
@@ -106,7 +107,7 @@ static void a_plane_of_light_stays_what_it_is(void **state)
     clear(&layer);
 }
 
-/* The mean of a record and twelve neighbours reduces noise by more than half. A
+/* Averaging records with their neighbours reduces the noise by more than half. A
  * repetition changes nothing, since it starts from the original values of the
  * records. */
 static void noise_becomes_less(void **state)
@@ -124,8 +125,8 @@ static void noise_becomes_less(void **state)
     clear(&layer);
 }
 
-/* A dark record among bright records, a bright record among dark records, and a record
- * behind a wall keep their values and do not influence others. */
+/* A record that is much darker than its neighbours, one that is much brighter, and one
+ * with walls around it at 0.1 m keep their values and do not change a neighbour. */
 static void what_sees_something_else_stands_alone(void **state)
 {
     (void)state;

@@ -12,13 +12,14 @@
 
 enum { SIDE = 128 };
 
-/* A square of 1.1 x 0.8 m, 1.3 m above the floor and to one side, which emits
+/* A rectangle of 1.1 x 0.8 m, 1.3 m above the floor and to one side, which emits
  * downwards. */
 static const struct pp_vec3 patch[4] = {
     {0.2, -0.3, 1.3}, {0.2, 0.5, 1.3}, {1.3, 0.5, 1.3}, {1.3, -0.3, 1.3}};
 static const double radiance = 0.7;
 
-/* Contribution of one edge to equation (1) of the header, by its own closed form. */
+/* Contribution of one edge to equation (1) of cache_derivatives.h, by another closed
+ * form. */
 static double edge_share(struct pp_vec3 r0, struct pp_vec3 r1)
 {
     struct pp_vec3 across = pp_vec_cross(r0, r1);
@@ -209,7 +210,7 @@ static void a_hemisphere_includes_objects_on_its_horizon(void **state)
 }
 
 /* Read with a normal tilted by t, a record changes like the irradiance, except for the
- * second order, (1 - cos t) of its value, and noise of 1 % of the change. */
+ * second order, (1 - cos t) of its value, and noise of 1 % of the largest change. */
 static void a_record_is_read_by_a_leaning_surface(void **state)
 {
     (void)state;

@@ -8,9 +8,9 @@
 #include "simulate/sampling/hash.h"
 #include "tests/lib/near.h"
 
-/* Paths of a point return 1/chance with this probability, otherwise 0: the mean is 1
- * for any probability. chance = 0 is a point without light. Values are multiplied by
- * `scale`. */
+/* Paths of a point return 1/chance with the probability `chance`, otherwise 0: the mean
+ * is 1 for any chance above 0. chance = 0 is a point without light. Values are
+ * multiplied by `scale`. */
 struct rare {
     double chance[4], scale[4];
     uint64_t seed;
@@ -279,7 +279,8 @@ static void a_restart_forgets_the_points(void **state)
 
 /* ---- data shared by points ---- */
 
-/* Counts the prepared points, and the paths that need points not yet prepared. */
+/* The randomisations that are prepared, with the number of paths prepared in each, and
+ * how often a range of paths was followed that was not prepared. */
 struct ready {
     int stage, first, count, missed;
     uint32_t paths[128];

@@ -127,10 +127,10 @@ static void level_of_a_valley_is_an_ellipse_that_turns_right(void **state)
     assert_int_equal(pp_contour_curves(field, 1.0, &curves, 0), PP_OK);
     assert_int_equal(curves.count, 1);
     assert_true(curves.list[0].closed);
-    /* The ellipse has a circumference of 9.06 m; the lower side is inside. */
+    /* The ellipse has a circumference of 8.9 m; the lower side is inside. */
     assert_near(signed_area(&curves.list[0]), -M_PI * 2.1 * 0.45, 9.1 * TOLERANCE);
     for (int i = 0; i < curves.list[0].count; i++) {
-        /* The slope is smallest at the ends of the long axis: 2/2.1 per metre. */
+        /* The slope is largest at the ends of the short axis: 2/0.45 per metre. */
         double value;
         slanting_ellipse(0, curves.list[0].xy[i][0], curves.list[0].xy[i][1], &value,
                          0);
@@ -244,7 +244,7 @@ static void the_curve_of_a_crease_turns_its_corner(void **state)
     pp_region_clear(&region);
 }
 
-/* A step from 0 to 1 along a slanting line. */
+/* A step from 0 to 1 at a slanting line. */
 static enum pp_status step(void *context, double x, double y, double *value,
                            struct pp_error *err)
 {
@@ -340,7 +340,7 @@ static void function_values_are_not_evaluated_twice_as_often_as_needed(void **st
     assert_near(high, 1.0, 0.2);
     assert_near(hypot(high_xy[0] - 3.1, high_xy[1] - 1.7), 0.0, 0.3);
     long before = pp_field_evaluations(field);
-    /* Six levels of a smooth function, about 50 m of curve, must need few evaluations:
+    /* Six levels of a smooth function, about 40 m of curve, must need few evaluations:
      * those of `exact` take up to 0.1 ms each, and a plan should be drawn within a
      * second. */
     for (int i = 1; i <= 6; i++)
