@@ -1,5 +1,5 @@
 /* bench_large_rooms.c - processor time of all methods, for one point and the average,
- * in rooms with hundreds or thousands of identical parts. */
+ * in rooms with hundreds or thousands of parts of one kind. */
 #include <math.h>
 #include <stdio.h>
 
@@ -28,7 +28,8 @@ static void add_box(FILE *out, double width_m)
     fprintf(out, "<plan width='%g' depth='9.3' height='2.7'/>", width_m);
 }
 
-/* A plan with corners at 10 m and at inner_m from its centre, alternating. */
+/* A plan with corners at 10 m and at inner_m from its centre, alternating, and a
+ * window. */
 static void add_ring(FILE *out, int corners, double inner_m)
 {
     fputs("<plan height='2.7'>", out);

@@ -123,8 +123,8 @@ static void bench_random_rooms(void)
 
 /* ---- rays compared with the bare ray kernels ---- */
 
-/* Traces 32 randomisations of `paths` paths of each kind for all receivers; rays are
- * logged if there is a log. */
+/* Traces 32 randomisations of `paths` paths of each kind (a quarter of them for the
+ * correction) for all receivers; rays are logged if there is a log. */
 static void run_randomisations(const struct pp_world *world,
                                const struct pp_light_scene *scene,
                                const struct pp_environment *environment,
@@ -219,7 +219,7 @@ static void bench_rays(const char *name, const struct pp_world *world,
     pp_light_scene_destroy(scene);
 }
 
-/* Adds a million small triangles inside the room to the world. */
+/* Adds `count` small triangles inside the L-shaped room to its world. */
 static void fill_with_triangles(struct pp_world *world, int count)
 {
     int there = world->surface_count;

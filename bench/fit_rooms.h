@@ -84,9 +84,9 @@ struct pp_fit_rooms {
     struct pp_fit_row *rows; /* rows of one room are adjacent */
 };
 
-/* Reads a file of traced rooms. Leaves out rooms that the fitted formulae reject, and
- * points with a traced component below 0.002 % or a standard error above 30 %. Exits
- * with a message on errors. */
+/* Reads a file of traced rooms. Leaves out rooms that the fitted formulae reject or
+ * that have more than PP_FIT_OPENINGS openings, and points with a traced component
+ * below 0.002 % or a standard error above 30 %. Exits with a message on errors. */
 struct pp_fit_rooms pp_fit_rooms_read(const char *path);
 
 #endif

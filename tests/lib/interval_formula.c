@@ -3,7 +3,7 @@
  *
  *     sum     = product { (+|-) product }
  *     product = power { [*|/] power }        from left to right; side by side: times
- *     power   = [-] primary [ ^ power ]
+ *     power   = - power | primary [ ^ power ]
  *     primary = number | pi | symbol | function ( sum {, sum} ) | ( sum )
  *
  * A minus binds less tightly than ^ and more tightly than *.

@@ -5,8 +5,8 @@
  * runs every test, or those whose name or file matches the shell pattern NAME:
  * `--filter test_sobol`, `--filter '*horizon*'`. --full adds the long tests and runs
  * the others at full size (sized.h). --list prints the tests and runs none. Exit
- * status: 0 all passed, 1 some failed, 2 the command line is wrong or NAME matches
- * nothing.
+ * status: 0 all passed, 1 some failed, 2 the command line is wrong, NAME matches
+ * nothing, or there are too many tests.
  */
 #include "tests/lib/test_file.h"
 
