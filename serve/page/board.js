@@ -13,6 +13,7 @@ class Board extends EventTarget {
     roomIndex = 0;
     method = ''; // of the contours; empty: the default pair
     pointer = null; // [x, y] on the plan
+    isHeld = false; // a handle is being dragged
     results = { scene: null, plan: null, why: '', df: null, section: null, mistakes: [], trace: null };
     elements = [];
 

@@ -52,6 +52,7 @@ export function listenToDrags(svg, viewOf) {
         const handle = handleOf(event);
         if (handle && event.button === 0) {
             const place = placeOf(event);
+            board.isHeld = true;
             held = { key: handle.key, offset: [handle.at[0] - place[0], handle.at[1] - place[1]] };
             svg.setPointerCapture(event.pointerId);
             event.target.closest('[data-handle]').focus({ preventScroll: true });
@@ -72,6 +73,7 @@ export function listenToDrags(svg, viewOf) {
     const release = () => {
         if (!held) return;
         held = null;
+        board.isHeld = false;
         svg.classList.remove('dragging');
         board.endSeries();
         board.tell('rest');

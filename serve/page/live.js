@@ -6,9 +6,11 @@ import { board } from './board.js';
 import { engine } from './engine.js';
 import { chooseCut, pointsOfCut } from './section_view.js';
 
-const REST_MS = 120;
+const REST_MS = 60;
+// Accuracy of contours (m) while a handle is held, and after it is released.
+const COARSE = 0.1, FINE = 0.01;
 
-let running = false, wanted = false, restTimer = 0;
+let running = false, wanted = false, restTimer = 0, isDue = false;
 let trace = null; // an AbortController
 let asked = 0;
 
@@ -25,7 +27,8 @@ function optionsOf(more = {}) {
 
 async function updateOnce() {
     const text = board.text, from = performance.now();
-    const plan = engine.plan(text, optionsOf(board.method ? { methods: board.method } : {}));
+    const tolerance = board.isHeld ? COARSE : FINE;
+    const plan = engine.plan(text, optionsOf({ tolerance, ...(board.method ? { methods: board.method } : {}) }));
     const cut = board.cut && board.results.scene ? pointsOfCut(board.results.scene, board.cut) : [];
     const section = cut.length ? engine.df(text, optionsOf({ methods: switches.curves, points: cut })).catch(() => null) : Promise.resolve(null);
     const [answer, curve] = await Promise.all([plan, section]);
@@ -53,6 +56,7 @@ async function update() {
     }
     running = false;
     board.tell('updated');
+    if (isDue) begin();
 }
 
 export const isBusy = () => running;
@@ -91,13 +95,21 @@ export async function startTrace() {
     board.tell('trace');
 }
 
+function begin() {
+    isDue = false;
+    if (board.results.error) return;
+    if (switches.trace) startTrace();
+    askFigures();
+    board.tell('rested');
+}
+
+// While contours are calculated the hand has not rested, however slow they are.
 function rest() {
     clearTimeout(restTimer);
+    isDue = false;
     restTimer = setTimeout(() => {
-        if (board.results.error) return;
-        if (switches.trace) startTrace();
-        askFigures();
-        board.tell('rested');
+        isDue = true;
+        if (!running) begin();
     }, REST_MS);
 }
 
@@ -138,4 +150,5 @@ export function setUpLive() {
         update();
     });
     board.on('pointer', askPoint);
+    board.on('rest', update);
 }
