@@ -66,7 +66,7 @@ static struct pp_vec3 in_plane(struct pp_vec3 origin, struct pp_vec3 a, double x
 }
 
 /* Draws an opening of any slope, a rectangle or an outline with a notch, with or
- * without a reveal, and a receiver in front of it. */
+ * without a reveal, and a receiver on its inner side. */
 static void deal_opening(struct scene *scene, struct dice *dice)
 {
     struct pp_opening *opening = &scene->opening;
@@ -125,7 +125,7 @@ static struct pp_surface *deal_surface(struct scene *scene)
     return surface;
 }
 
-/* Draws a plate outside, on one side of the opening's plane or across the plane. Some
+/* Draws a plate before, across or beyond the opening as seen from the receiver. Some
  * plates have a notch, another reflectance, or an exitance. */
 static void deal_plate(struct scene *scene, struct dice *dice)
 {

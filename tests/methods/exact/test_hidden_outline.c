@@ -75,8 +75,8 @@ static void a_tower_extends_between_the_bearings_of_its_corners(void **state)
     pp_world_destroy(world);
 }
 
-/* Hidden altitudes at a bearing in whole steps, sorted and merged. Where one piece ends
- * and others begin, their common part counts once. */
+/* Spans of hidden altitudes at a bearing in whole steps; returns their number. Spans
+ * with the same lower end, where one piece ends and another begins, count once. */
 static int spans_at(const struct pp_sky_mask *mask, double bearing, double spans[8][2])
 {
     int count = 0;
@@ -100,9 +100,8 @@ static int spans_at(const struct pp_sky_mask *mask, double bearing, double spans
     "<room version='1'><plan width='4' depth='5' height='3'/>"                         \
     "<window wall='south' left='1.5' sill='1' width='1' height='1'/>"
 
-/* A screen 12 m wide, 3 to 9 m above the floor and 10 m in front of the window, as a
- * rectangle or as 96 triangles: its lower and upper edges by plane geometry, and the
- * same number of pieces. */
+/* A screen 12 m wide, 3 to 9 m above the floor and 10 m in front of the window, made of
+ * 96 triangles: its lower and upper edges by plane geometry, and at most 8 pieces. */
 static void a_screen_of_triangles_is_one_screen(void **state)
 {
     (void)state;
@@ -143,8 +142,8 @@ static void a_screen_of_triangles_is_one_screen(void **state)
     free(text);
 }
 
-/* A bridge above a house: sky is visible between them, unless the house reaches the
- * underside of the bridge. */
+/* A bridge above a house: sky is visible between them. Beside the bridge only the house
+ * hides sky. */
 static void sky_between_two_things_is_seen(void **state)
 {
     (void)state;

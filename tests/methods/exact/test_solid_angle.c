@@ -67,7 +67,7 @@ static void an_endless_wall_shows_half_the_sky(void **state)
     assert_near(half.omega, PP_PI, 1e-8);
 }
 
-/* DESIGN's vertical sky component: 3/14 + 4/(7 pi) = 0.3961768. */
+/* The vertical sky component of the overcast sky: 3/14 + 4/(7 pi) = 0.3961768. */
 static void a_vertical_receiver_sees_the_vertical_sky_component(void **state)
 {
     (void)state;
@@ -141,8 +141,8 @@ static void horizontal_rectangles_agree_with_closed_forms(void **state)
     }
 }
 
-/* An infinitely long strip 30 degrees high above the horizon, as on protractors 9 and
- * 10. A strip of length 1e5 misses about 1e-10. */
+/* Infinitely long strips up to 30 and 60 degrees above the horizon, as on protractors 9
+ * and 10. A strip of length 2e5 misses about 1e-10. */
 static void strips_are_the_unglazed_protractors(void **state)
 {
     (void)state;

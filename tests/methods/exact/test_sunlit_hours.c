@@ -136,8 +136,8 @@ static void an_endless_skyline_takes_all_of_the_equinox_or_nothing(void **state)
 }
 
 /* At the equinox the azimuth of the sun from south has the tangent tan h / sin
- * latitude. A very tall tower, 10 m in front of the window, from 3 m to its left to 5 m
- * to its right, hides the sun between the azimuths of its edges. */
+ * latitude. A very tall tower, 10 m in front of the window, from 3 m west to 5 m east
+ * of its middle, hides the sun between the azimuths of its edges. */
 static void a_tower_hides_the_hours_of_its_azimuths(void **state)
 {
     (void)state;

@@ -91,7 +91,8 @@ static void means_are_of_an_opening_a_view_and_a_glass(void **state)
     pp_world_destroy(world);
 }
 
-/* Beyond the limit on the work, no areas are returned, and the result reports this. */
+/* With a limit on the work, the budget is reported as exhausted after some
+ * directions. */
 static void a_space_that_is_spent_has_no_more_areas(void **state)
 {
     (void)state;

@@ -124,8 +124,8 @@ static void without_glass_the_slats_remain(void **state)
 
 /* Between panes, light reflected from pane to pane passes the slats on its way. In the
  * tables this is scattered light, so direct light is that of two panes without this
- * reflection: (1 - r)^2 for each pane that absorbs nothing, where r is the reflectance
- * of both surfaces together. */
+ * reflection: a factor of 1 - r for each pane, which absorbs nothing, where r is the
+ * reflectance of its two surfaces together. */
 static void straight_light_between_panes_passes_each_pane_once(void **state)
 {
     (void)state;

@@ -40,7 +40,7 @@ static bool anything(struct pp_vec3 u, double angle)
     return true;
 }
 
-/* True above a skyline parallel to x. */
+/* True above a skyline parallel to y, on the side of +x. */
 static bool over_skyline(struct pp_vec3 u, double angle)
 {
     return atan2(u.z, u.x) > angle;

@@ -87,7 +87,7 @@ static void a_smooth_surface_reflects_by_fresnel(void **state)
     assert_true(pp_he_torrance_diffuse(&smooth, &in, &out) < 1e-6);
 }
 
-/* g = 3,540: no spike, and the facets of Cook and Torrance with Beckmann's slopes of m
+/* g = 3,150: no spike, and the facets of Cook and Torrance with Beckmann's slopes of m
  * = 2 s0/T. */
 static void a_very_rough_surface_consists_of_facets(void **state)
 {

@@ -23,9 +23,9 @@ static struct pp_perez_sky sky_of(double altitude_deg, double bearing_deg,
 }
 
 /* One sky in each clearness bin: a to e as printed by Radiance's gendaylit 2.6 (six
- * digits, -O 2 -ang), and efficacies and relative luminances (1/sr) by an independent
- * program that normalises to 3e-4, at the centres of Tregenza's patches 1, 85 and
- * 145. */
+ * digits, -O 2 -ang), and illuminances (lx) and relative luminances (1/sr) by an
+ * independent program that normalises to 3e-4, at the centres of Tregenza's patches 1,
+ * 85 and 145. */
 static const struct {
     double altitude_deg, bearing_deg, direct_w_m2, diffuse_w_m2;
     double a, b, c, d, e, diffuse_lx, direct_lx, first, middle, zenith;

@@ -42,8 +42,9 @@ static double integrated(const struct pp_rough_surface *surface, double tilt_deg
     return sum;
 }
 
-/* White furnaces: n, k, s0, T (micrometres), tilt, and albedos of the published model.
- * The last two surfaces reflect 2 % and 0.6 % too much in the published model. */
+/* White furnaces (n = 1, k = 1e5): s0, T (micrometres), tilt (degrees), and albedo of
+ * the published model. In the last two cases the published model reflects 0.6 % and 2 %
+ * too much. */
 static void no_white_furnace_gains_light(void **state)
 {
     (void)state;

@@ -39,7 +39,8 @@ static void days_are_counted_from_noon_of_2000(void **state)
                 2.0, 0.0);
 }
 
-/* The highest altitude of a day, within a few minutes of noon at Greenwich. */
+/* The sun at its highest within half an hour of 12:00 UT, at the longitude of
+ * Greenwich. */
 static struct pp_sun at_noon(int month, int day, double latitude_rad)
 {
     struct pp_sun noon = {.altitude_rad = -PP_PI};

@@ -82,7 +82,7 @@ static void outlines_of_dxf_are_raised_by_their_thickness(void **state)
                        "0\nPOLYLINE\n66\n1\n39\n3.1\n70\n0\n0\nVERTEX\n10\n0\n20\n0\n"
                        "0\nVERTEX\n10\n2.3\n20\n0\n0\nSEQEND\n"),
                    "r12.dxf", 2.3 * 3.1, 3.1);
-    /* There the entity's own z is the file's y, and its y the file's z. */
+    /* There the entity's own z is the file's -y, and its y the file's z. */
     assert_surface(DXF(RAISED "210\n0\n220\n-1\n230\n0\n"), "side.dxf", raised_m2, 1.7);
 }
 

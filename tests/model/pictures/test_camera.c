@@ -77,8 +77,8 @@ static void a_point_is_seen_where_its_ray_goes(void **state)
 }
 
 /* Directions at 45 degrees are at sin 45 of the half width in a projection by
- * illuminance, and at half of it in a projection by angle; beyond the circle there is
- * nothing. */
+ * illuminance, and at half of it in a projection by angle. Beyond the circle the first
+ * shows nothing, the second shows directions below the horizon. */
 static void a_fisheye_shows_a_circle(void **state)
 {
     (void)state;

@@ -7,7 +7,7 @@
 
 static const double rho = 0.2;
 
-/* A world without a room whose ground is a metre below the receivers. */
+/* A world without a room whose ground is at z = -1 m. */
 static struct pp_world open_field(void)
 {
     return (struct pp_world){.ground_level_m = -1.0};
@@ -99,8 +99,8 @@ static void white_walls_and_white_ground_vanish_in_a_uniform_sky(void **state)
 
 /* A skyline of 30 degrees at infinite distance: the ground receives (1 + cos 30 deg)/2
  * of a uniform sky, and the rest from the exitance of the skyline, which by convention
- * is rho (1/2 + rho_ground/2). The receiver is outside, two metres from the wall, and
- * faces down. */
+ * is rho (1/2 + rho_ground/2). The receiver is outside, 3 km from the wall and 1 mm
+ * above the ground, and faces down. */
 static void a_far_skyline_shades_the_ground_and_lights_it(void **state)
 {
     (void)state;
@@ -151,7 +151,7 @@ static void trace_room(const char *xml, struct pp_receiver receiver,
     "<vertex x='800' y='-400' z='-0.5'/><vertex x='800' y='400' z='-0.5'/>"            \
     "<vertex x='-800' y='400' z='-0.5'/></surface>"
 
-/* A street written as a surface over open ground, as in older files, compared with the
+/* The ground of a street written as a surface, as in older files, compared with the
  * program's ground. */
 static void the_ground_is_as_a_surface_of_the_file(void **state)
 {

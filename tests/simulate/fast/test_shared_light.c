@@ -58,9 +58,10 @@ static enum pp_status extended(struct shared_room *room, int stage, int first,
     return status;
 }
 
-/* In a room without windows, with D = 1 on every surface, its mean over the cosine lobe
- * is 1. The shared part and the part left to rays of the lobe add up to 1, for a tilted
- * receiver and for one a centimetre from a wall, where the second part is large. */
+/* In a room without windows, with a light of 1 on every surface, its mean over the
+ * cosine lobe is 1. The shared part and the part left to rays of the lobe add up to 1,
+ * for a tilted receiver and for one a centimetre from a wall, where the second part is
+ * large. */
 static void shared_and_left_light_are_the_whole_lobe(void **state)
 {
     (void)state;
@@ -228,8 +229,8 @@ static void shared_points_do_not_depend_on_earlier_requests(void **state)
     clear(&room);
 }
 
-/* Identical to the bit: alone, with other points, in another order, with one thread or
- * three. */
+/* Identical to the bit: alone with one thread, and with other points and three
+ * threads. */
 static void a_point_that_shares_depends_on_no_other(void **state)
 {
     (void)state;

@@ -43,8 +43,8 @@ static void trace(const struct pp_light_scene *scene,
     pp_tracer_destroy(tracer);
 }
 
-/* The readings under each sky are identical to those of a scene created for this sky
- * alone. */
+/* The readings under every eleventh sky are identical to those of a scene created for
+ * this sky alone. */
 static void many_skies_are_traced_on_one_scene(void **state)
 {
     (void)state;

@@ -215,8 +215,8 @@ static void a_window_shows_the_sky_of_the_closed_form(void **state)
     pp_world_destroy(world);
 }
 
-/* Receivers on the floor, a wall and the ceiling: no ray is lost in or behind them, and
- * the value is the same as just in front of them. The ceiling sees no sky. */
+/* Receivers on the floor, two walls and the ceiling: no ray is lost in or behind them,
+ * and the value is the same as just in front of them. The ceiling sees no sky. */
 static void on_a_surface_one_measures_what_falls_on_it(void **state)
 {
     (void)state;
@@ -520,8 +520,8 @@ static void a_near_skyline_hides_more_from_the_front_of_the_room(void **state)
         &light, "<room version='1'><plan width='3.1' depth='4.3' height='2.6'/>" WINDOW
                 "'none'/><skyline wall='south' angle='20' distance='9' "
                 "reflectance='0.2'/></room>");
-    /* Height above the point of the skyline, from the middle of the window, 1.6 m up, 9
-     * m away. */
+    /* Height of the skyline, which is 9 m away; its angle is measured at the middle of
+     * the window, 1.6 m up. */
     double head = 1.6 + 9.0 * tan(20.0 * PP_RAD);
     for (int i = 0; i < 2; i++) {
         double y = i == 0 ? 0.6 : 3.5, sky, hidden;

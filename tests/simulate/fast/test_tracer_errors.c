@@ -213,7 +213,8 @@ static void slices_change_nothing(void **state)
     pp_world_destroy(world);
 }
 
-/* Omits rays whose end is known in advance, which is the only change. */
+/* One of the two runs omits rays whose end is known in advance; nothing else
+ * differs. */
 static void rays_left_out_change_nothing(void **state)
 {
     (void)state;

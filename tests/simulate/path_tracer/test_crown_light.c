@@ -3,7 +3,7 @@
 #include "tests/lib/traced.h"
 
 /* A black room, open to the sky: 10 x 10 m, 0.5 m high. The point is 8 m below the
- * middle of the crown. */
+ * middle of the crown's base. */
 #define ROOM                                                                           \
     "<room version='1'><site ground='open' ground-reflectance='0'>%s</site>"           \
     "<sky type='uniform'/><plan width='10' depth='10' height='0.5'/>"                  \
@@ -30,7 +30,7 @@ static struct pp_reading sky_component(const char *trees)
     "<tree x='5' y='5' height='15' crown-base='8.1' crown-width='20' " more "/>"
 
 /* Configuration factor of a polygon of twelve sides around the zenith, h = 8 m up, with
- * the area of a circle of 10 m: apothem a, side s. Lambert:
+ * the area of a circle of radius 10 m: apothem a, side s. Lambert:
  *
  *     F = 12/(2 pi) 2 atan(s / (2 sqrt(a2 + h2))) a / sqrt(a2 + h2) = 0.6097
  */

@@ -202,8 +202,8 @@ static void a_plan_of_daylight_factors_has_those_of_receivers(void **state)
 }
 
 /* The factor for decorations reduces light reflected in the room and no other light, as
- * in the tracer, with paths and with a cache. The tracer is accurate to 0.3 %, the
- * picture by paths to 0.5 %, and the default accuracy of the cache is 1 %. */
+ * in the tracer, with paths and with a cache. The tracer is accurate to 0.3 % and the
+ * picture by paths to 0.5 %; the tolerance is 2 %. */
 static void decorations_dim_a_picture_of_daylight_factors(void **state)
 {
     (void)state;
@@ -427,9 +427,9 @@ static void what_stands_behind_a_framed_pane_is_in_the_cache(void **state)
     clear(&scene);
 }
 
-/* If the cache is filled for one part of the picture or for many, every pixel has a
- * record near its centre. The records are identical for any number of threads and
- * slices. */
+/* Whether the cache is filled for the whole picture at once or for one part after
+ * another, every pixel has a record near its centre. The records are identical for any
+ * number of threads and slices. */
 static void every_pixel_is_read_between_records(void **state)
 {
     (void)state;
@@ -622,7 +622,7 @@ static void a_checkpoint_is_read_completely_or_not_at_all(void **state)
     assert_int_equal(take_up(fresh, kept.bytes, kept.size, &err), PP_OK);
     assert_true(pp_render_done(fresh));
 
-    /* A different seed, view point or scene is rejected. */
+    /* A different seed or view point is rejected. */
     options.seed++;
     struct pp_render *other = begun(&scene, &options);
     assert_int_equal(take_up(other, kept.bytes, kept.size, &err), PP_BAD_INPUT);

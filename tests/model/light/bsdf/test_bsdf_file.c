@@ -184,8 +184,8 @@ static void a_tensor_tree_has_the_values_that_radiance_reads(void **state)
     pp_bsdf_clear(&bsdf);
 }
 
-/* A tree of rank 3 that is 1 for light that leaves on the side towards which it
- * travels. */
+/* A tree of rank 3 that is 0.1 for light that leaves on the side towards which it
+ * travels, and 0 on the other side. */
 static void an_isotropic_tree_turns_with_the_light(void **state)
 {
     (void)state;

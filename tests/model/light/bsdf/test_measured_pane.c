@@ -106,8 +106,9 @@ static void samples_have_the_density_that_they_state(void **state)
     pp_measured_pane_release(pane);
 }
 
-/* Light that leaves downwards into the room has come from below: 0.25 and 0.15 as for
- * all directions on that side, and 0.15 of the light that travels up. */
+/* The direction DOWN receives 0.25 of the light that travels in it, 0.15 of the spread
+ * light and, mirrored, 0.15 of the light that travels up; its mirror image receives
+ * 0.45 of the light that travels down. */
 static void radiance_under_an_even_sky_sums_over_arriving_light(void **state)
 {
     (void)state;
