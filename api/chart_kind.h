@@ -143,8 +143,7 @@ struct pp_chart_kind {
 
     /* Checks whether the kind can draw these methods (NULL: the default methods), or
      * simulated values if `simulate` is set. PP_BAD_INPUT: it cannot, and the message
-     * lists the methods that it can draw. A kind without this function can draw all
-     * methods. */
+     * gives the reason. A kind without this function can draw all methods. */
     enum pp_status (*check)(const char *methods, bool simulate, struct pp_error *err);
 
     /* Computes and draws the chart of the room (NULL: a blank form). May change the

@@ -32,8 +32,8 @@ static enum pp_status draw_lit_area(struct pp_canvas *canvas,
     return status;
 }
 
-/* Finds the ends of the section that `chart section` draws. *found is false if the room
- * has no line of points for a section. */
+/* Finds the ends of the section that `chart section` draws. *found is false if no
+ * section of the room can be found. */
 static enum pp_status find_mark(struct pp_plan_mark *mark, bool *found,
                                 const struct pp_study_room *room,
                                 const struct pp_chart_choice *choice,

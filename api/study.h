@@ -18,8 +18,7 @@ struct pp_study {
         variants; /* variants of formulae, to which the method options point */
     struct pp_report report;
     struct pp_light_scene *scene;     /* scene of the world; NULL: not yet built */
-    struct pp_simulation *simulation; /* options of the simulation; NULL: no
-                                       * simulation */
+    struct pp_simulation *simulation; /* the simulation; NULL: none requested */
     struct pp_grid_choice grid;       /* grid of the points; empty if they are not on a
                                        * grid */
     struct pp_assessment assessment;

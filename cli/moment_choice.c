@@ -12,8 +12,8 @@
 
 /* ---- the options ---- */
 
-/* Reads a time zone, "", "Z" or "+HH:MM", as hours ahead of universal time. NAN for
- * "". */
+/* Reads a time zone, "", "Z", "+HH:MM" or "-HH:MM", as hours ahead of universal
+ * time; NAN for "". False for other text. */
 static bool read_zone(const char *text, double *zone_h)
 {
     int hours, minutes, used = 0;

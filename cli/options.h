@@ -50,7 +50,7 @@ struct pp_command_line {
 
 /* Reads argv[1] to argv[argc - 1]. Moves the operands, in order, to the start of argv;
  * *operand_count is their number. *help is set to true if --help or -h is found; the
- * other arguments are then not checked. PP_BAD_INPUT for an invalid argument. */
+ * arguments after it are then not checked. PP_BAD_INPUT for an invalid argument. */
 enum pp_status pp_options_read(const struct pp_command_line *line, int argc,
                                char **argv, int *operand_count, bool *help,
                                struct pp_error *err);

@@ -52,8 +52,7 @@ enum pp_status pp_output_directory_commit(struct pp_output_directory *directory,
 /* Closes the directory without changing anything. May be called after a commit. */
 void pp_output_directory_clear(struct pp_output_directory *directory);
 
-/* Removes a directory made by this program, with its files and subdirectories. The
- * subdirectories may contain only files. */
+/* Removes a directory with everything in it. Returns 0 or an error number. */
 int pp_output_directory_remove(const char *path);
 
 #endif

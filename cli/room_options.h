@@ -37,7 +37,7 @@ extern const struct pp_room_options pp_room_options_none;
  * pp_room_options. */
 extern const struct pp_option pp_room_methods_option[];
 extern const struct pp_option pp_room_points_option[];
-extern const struct pp_option pp_room_sky_options[]; /* --sky, --room */
+extern const struct pp_option pp_room_sky_options[]; /* --sky, --room, --state */
 extern const struct pp_option pp_room_external_option[];
 /* Option --vsc-point-french. Its value is one double; 0 if the option is not given. */
 extern const struct pp_option pp_room_french_option[];
@@ -55,7 +55,8 @@ extern const struct pp_option pp_room_by_hand_options[];
 extern const struct pp_option pp_room_stop_options[]; /* --error, --samples, --time */
 extern const struct pp_option pp_room_plain_option[];
 extern const struct pp_option pp_room_seed_options[];   /* --seed, --threads */
-extern const struct pp_option pp_room_output_options[]; /* --output, --quiet */
+extern const struct pp_option pp_room_output_options[]; /* --output, --quiet,
+                                                         * --strict */
 
 /* Elements of a command's list of option groups. at: offset of the struct
  * pp_room_options in the command's struct. */

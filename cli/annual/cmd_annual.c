@@ -95,7 +95,7 @@ static void settle_annual(struct annual_run *run)
     annual->coefficients = options->stores.matrix != NULL;
     pp_lighting_option_settle(annual, &options->lighting);
     annual->samples = (int)study->samples;
-    annual->error = study->error > 0.0 ? study->error : 0.01; /* unless samples > 0 */
+    annual->error = study->error > 0.0 ? study->error : 0.01; /* not with --samples */
     annual->seed = study->seed;
     annual->threads = study->threads;
     annual->strict = study->strict;

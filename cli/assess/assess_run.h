@@ -33,10 +33,10 @@ enum pp_exit pp_assess_run_load(struct pp_assess_rooms *rooms,
 void pp_assess_run_unload(struct pp_assess_rooms *rooms);
 
 /* Reads the median illuminance and the probability of sunshine from the weather file,
- * if --weather is given. */
+ * if --weather is given; also its hours, if a criterion needs them. */
 enum pp_exit pp_assess_run_weather(struct pp_assess_words *words);
 
-/* Makes an empty run. The functions below are the callbacks of a struct pp_job whose
+/* Makes an empty run. The next two functions are callbacks of a struct pp_job whose
  * `data` points to the run. */
 struct pp_assess_run pp_assess_run_of(const struct pp_assess_words *words,
                                       const struct pp_assess_rooms *rooms);

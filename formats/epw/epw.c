@@ -121,10 +121,11 @@ static bool is_after_last(struct record_reader *r)
     return true;
 }
 
-/* Called when 29 February is the next expected day. If the file continues with another
- * day, 1 March is expected instead. Returns false, with a mistake, if 29 February is
+/* If 29 February is the next expected day but the file continues with another day, 1
+ * March becomes the expected day. Returns false, with a mistake, if 29 February is
  * missing although the header declares a leap year, or is present although the header
- * declares a common year and the record's year is not a leap year. */
+ * declares a common year and the record's year is not a leap year, or if the record is
+ * after the last data period. */
 static bool settle_leap_day(struct record_reader *r, struct pp_month_day found,
                             int year)
 {

@@ -42,7 +42,8 @@ struct pp_epw {
     double time_zone_h;                 /* ahead of UTC */
     double record_h;                    /* duration of a record: 1 h, 0.5 h, ... */
     struct pp_month_day summer_from, summer_to; /* first and last day of summer time */
-    char summer_words[160]; /* text of the file if it does not give two dates */
+    char summer_words[160]; /* summer time as in the file if it could not be read as two
+                             * dates; else empty */
     int summer_line;
     int record_count;
     struct pp_epw_record *records; /* in the file's order; owned */

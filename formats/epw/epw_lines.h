@@ -24,7 +24,8 @@ struct pp_epw_lines {
 };
 
 /* Checks the bytes before they are split. Returns false, and adds the first mistake, if
- * they cannot be a weather file: UTF-16, NUL bytes, no line ends, or empty. */
+ * they cannot be a weather file: UTF-16, NUL bytes, a line of more than
+ * PP_EPW_LINE_BYTES_MOST bytes, more than PP_EPW_BYTES_MOST bytes, or empty. */
 bool pp_epw_lines_check_bytes(const char *bytes, size_t length,
                               struct pp_mistakes *mistakes);
 

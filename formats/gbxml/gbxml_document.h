@@ -14,8 +14,9 @@
 enum { PP_GBXML_BYTES_MOST = 64 << 20 };
 
 /* Parses the bytes, in UTF-8, UTF-16 or the encoding that the file declares. `file` is
- * its name in messages. PP_BAD_INPUT if the root is not a gbXML element. On success the
- * caller clears the document with pp_xml_clear. */
+ * its name in messages. PP_BAD_INPUT if they are not well-formed XML, exceed a limit,
+ * or have a root other than gbXML. On success the caller clears the document with
+ * pp_xml_clear. */
 enum pp_status pp_gbxml_document_parse(struct pp_xml *document, const char *bytes,
                                        size_t length, const char *file,
                                        struct pp_error *err);

@@ -17,12 +17,14 @@ struct pp_gbxml_envelope_parts {
 };
 
 /* Tries, in this order: surfaces, ShellGeometry, prism. Corners are welded within 2 mm,
- * then within 20 mm if that changes the volume by at most 1 %; then planar holes are
- * filled. The first envelope within 3 % of the space's Area and Volume is used (a value
- * missing from the file is not compared). If there is none, the envelope with the
- * smallest deviation is used. A prism does not replace an envelope with sloping faces.
- * Notes the choice, moves of more than 5 mm, and deviations of more than 3 %.
- * *by_surfaces: true if the faces are the surfaces. *why as in pp_gbxml_shell_make. */
+ * then within 20 mm if that changes the volume by at most 1 %. Planar holes are filled.
+ * The first envelope within 3 % of the space's Area and Volume is used (a value missing
+ * from the file is not compared). If there is none, the envelope with the smallest
+ * deviation is used. An envelope with filled holes is used only if it deviates less
+ * than those that close without. A prism does not replace an envelope with sloping
+ * faces. Notes a source other than the surfaces, moves of more than 5 mm, filled holes,
+ * and deviations of more than 3 %. *by_surfaces: true if the faces are the surfaces.
+ * *why as in pp_gbxml_shell_make. */
 enum pp_status pp_gbxml_envelope_make(struct pp_gbxml_shell *shell, const char **why,
                                       bool *by_surfaces,
                                       const struct pp_gbxml_envelope_parts *parts,

@@ -41,14 +41,13 @@ struct pp_gbxml_surface {
 
 struct pp_gbxml_space {
     int line;
-    const char *id, *name; /* name: for people; NULL: none */
-    const char *type;      /* "OfficeEnclosed"; NULL: none */
-    struct pp_gbxml_polygon
-        *shell; /* ShellGeometry; used if the surfaces do not close */
+    const char *id, *name;          /* name: for people; NULL: none */
+    const char *type;               /* "OfficeEnclosed"; NULL: none */
+    struct pp_gbxml_polygon *shell; /* polygons of its ShellGeometry */
     int shell_count;
     struct pp_gbxml_polygon floor; /* PlanarGeometry; empty: none */
     double area_m2, volume_m3;     /* as in the file; NAN: not given */
-    bool left_out;                 /* no room can be made; already reported */
+    bool left_out;                 /* its room is dropped; already reported */
 };
 
 struct pp_gbxml_model {
@@ -67,7 +66,8 @@ void pp_gbxml_model_clear(struct pp_gbxml_model *model);
 bool pp_gbxml_model_bounds(const struct pp_gbxml_surface *surface,
                            const struct pp_gbxml_space *space);
 
-/* True if the surface is between one space and the outside. */
+/* True if there is no second space behind the surface and its type is not an interior
+ * one. */
 bool pp_gbxml_model_is_outer(const struct pp_gbxml_surface *surface);
 
 #endif

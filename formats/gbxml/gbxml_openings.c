@@ -187,8 +187,8 @@ static double distance_to(const struct pp_gbxml_room *room, int face,
     return away < reveal_m ? away : NAN;
 }
 
-/* Distributes an opening over the faces, nearest first, until all of it is placed.
- * Faces in one plane count as equally near. */
+/* Distributes an opening over the faces, nearest first, until more than half of it is
+ * placed. Faces in one plane count as equally near. */
 static enum pp_status place_opening(struct pp_gbxml_room *room,
                                     struct opening_left *left,
                                     struct pp_clipper *clipper, struct pp_error *err)

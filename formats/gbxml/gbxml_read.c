@@ -29,7 +29,8 @@ struct gbxml_reader {
     struct pp_error *err;
 };
 
-/* A unit of length, and its prefix in the names of area and volume units. */
+/* A unit of length: its name, with which the names of area and volume units end, and
+ * its length (m). */
 struct gbxml_unit {
     const char *name;
     double metre;
@@ -169,7 +170,8 @@ static const struct pp_xml_element *find_window_type(
     return found;
 }
 
-/* Visible transmittance of the type; NAN, with a note, if there is none. */
+/* Visible transmittance of the type; NAN if it is not above 0, with a note, or if there
+ * is no type (NULL), which is counted. */
 static double take_transmittance(struct gbxml_reader *r,
                                  const struct pp_xml_element *type)
 {

@@ -7,8 +7,8 @@
 #include "formats/gbxml/gbxml_model.h"
 
 /* Fills the model. Missing data, with the default used, and skipped parts are noted by
- * line. PP_BAD_INPUT if the file has no lengths or no spaces. The model can be cleared
- * even after a failure. */
+ * line. PP_BAD_INPUT if the file has no known length unit, no Campus or no Space, or
+ * exceeds a limit. The model can be cleared even after a failure. */
 enum pp_status pp_gbxml_read(struct pp_gbxml_model *model,
                              const struct pp_xml *document, const char *file,
                              struct pp_mistakes *notes, struct pp_error *err);

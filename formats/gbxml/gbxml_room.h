@@ -46,8 +46,8 @@ enum pp_status pp_gbxml_room_begin(struct pp_gbxml_room *room, const char **why,
                                    struct pp_clipper *clipper,
                                    struct pp_mistakes *notes, struct pp_error *err);
 
-/* Divides non-planar faces into triangles; sets roles, names and finishes of all
- * faces. */
+/* Divides non-planar faces into triangles; sets roles, names and finishes of all faces;
+ * tests for a box; fits working plane and grid. */
 enum pp_status pp_gbxml_room_finish(struct pp_gbxml_room *room,
                                     struct pp_gbxml_model *model,
                                     const struct pp_gbxml_space *space,

@@ -17,11 +17,11 @@ struct pp_gbxml_shell {
     int corner_count;
     struct pp_gbxml_face *faces;
     int face_count;
-    int lacking;    /* number of faces added to close the shell */
-    double weld_m;  /* tolerance within which corners were welded */
-    double moved_m; /* largest move of a corner */
-    double
-        moved_m3; /* each polygon's area times its corners' mean move along the normal */
+    int lacking;     /* number of faces added to close the shell */
+    double weld_m;   /* tolerance within which corners were welded */
+    double moved_m;  /* largest move of a corner */
+    double moved_m3; /* sum over the polygons: area times mean move of the corners along
+                   * the normal */
     double volume_m3; /* enclosed volume */
 };
 

@@ -173,7 +173,7 @@ static enum pp_status make_polygons(struct room_polygons *polygons,
     return status;
 }
 
-/* True if the point is inside the faces: a vertical ray then crosses one more face that
+/* True if the point is inside the faces: an upward ray then crosses one more face that
  * points down than faces that point up. */
 static bool is_within(const struct room_polygons *room, struct pp_vec3 at)
 {

@@ -272,8 +272,8 @@ static void write_inner_walls(struct pp_gbxml_writing *w,
         }
 }
 
-/* Use of a space, found by keywords in gbXML's space types; NULL if the criteria define
- * no such use. */
+/* Use of a space, found by keywords in gbXML's space types; NULL if the type contains
+ * none of them. */
 static const char *use_of(const char *type)
 {
     static const char *const uses[][2] = {{"Bedroom", "bedroom"},

@@ -23,9 +23,9 @@ struct pp_gbxml_writing {
     int item_count;
 };
 
-/* Writes the building: each room that is not NULL (one per space), then surfaces for
- * the shades and for the outer surfaces of spaces without a room. Fails only if memory
- * runs out. */
+/* Writes the building: surfaces for the shades and for the outer surfaces of spaces
+ * without a room, then each room. rooms: one per space; NULL: no room. Fails only if
+ * memory runs out. */
 enum pp_status pp_gbxml_write(struct pp_gbxml_writing *writing,
                               struct pp_gbxml_model *model,
                               struct pp_gbxml_room *const *rooms, struct pp_error *err);

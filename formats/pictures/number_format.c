@@ -15,7 +15,7 @@ const struct pp_number_format pp_number_format_hdr = {
     .write = pp_picture_hdr_write,
 };
 
-/* A copy with black instead of NaN, as other programs expect. */
+/* A copy with 0 for each channel that is NaN or infinite, as other programs expect. */
 static enum pp_status without_gaps(struct pp_picture *copy,
                                    const struct pp_picture *picture,
                                    struct pp_error *err)

@@ -1,8 +1,8 @@
 /* rad_functions.h - "pepperpot.cal": functions evaluated by Radiance, for the skies and
  * glazings that no Radiance material or pattern can describe.
  *
- *     pp_sky       skies that gensky cannot generate; they fade into the ground at the
- *                  horizon, and may have skylines too distant for parallax
+ *     pp_sky       skies with a sharp horizon, which gensky cannot generate; they may
+ *                  have skylines too distant for parallax
  *     pp_through,  clear glazings of any number of panes, with their frame and dirt:
  *     pp_mirrored  transmittance and reflectance by angle, as in glass.h
  *

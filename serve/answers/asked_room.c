@@ -13,7 +13,7 @@ enum {
     OPENINGS_MOST = 200,
     OBJECTS_MOST = 500,
 };
-static const double work_most = 3e6; /* points × openings × objects outside */
+static const double work_most = 3e6; /* points × (openings + 1) × (objects + 1) */
 
 static const char member_text[] = "expected { \"room\": TEXT, \"options\": { ... } }";
 

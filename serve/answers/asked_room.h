@@ -16,8 +16,8 @@ struct pp_asked_room {
     struct pp_study *study;
 };
 
-/* Checks that the body has only the members "room" and "options", and only options in
- * `names` (NULL-terminated). Otherwise returns false and sets the error answer. */
+/* Checks that "options", if present, is an object with only the names in `names`
+ * (NULL-terminated). Otherwise returns false and sets the error answer. */
 bool pp_asked_room_options(struct pp_task *task, const char *const *names);
 
 /* Gets an option. *option is NULL if it is missing. If the option has another JSON

@@ -2,10 +2,11 @@
  *
  * Each pass runs pepperpot annual with more light paths than the pass before. The first
  * pass also has fewer sky patches. Passes end when the standard error of the annual
- * light of every point is below the requested error, or with the requested number of
- * paths. Each event "estimate" contains the results with the illuminances of all hours;
- * the last event, "result", is the JSON output of annual. With the option "format" the
- * endpoint runs the command once instead, and answers with its output.
+ * light of every point is at most the requested error, with the requested number of
+ * paths, or after the last pass of `passes`. Each event "estimate" contains the results
+ * with the illuminances of all hours; the last event, "result", is the JSON output of
+ * annual. With the option "format" the endpoint runs the command once instead, and
+ * answers with its output.
  */
 #include "serve/answers/stream_annual.h"
 

@@ -14,7 +14,7 @@
  * "job": NAME }. */
 pp_task_run pp_job_store_put;
 
-/* Answers with the state of the job, or with its result once the job is finished. */
+/* Answers with the result of the job if it has succeeded, else with its state. */
 pp_task_run pp_job_store_get;
 
 #endif

@@ -15,7 +15,7 @@ enum { PP_CHILD_WORDS_MOST = 64, PP_CHILD_SECONDS_MOST = 120 };
 
 enum pp_child_end {
     PP_CHILD_DONE,      /* exited; see `status` */
-    PP_CHILD_CANCELLED, /* the client is no longer connected */
+    PP_CHILD_CANCELLED, /* the task was cancelled */
     PP_CHILD_LIMIT,     /* exceeded the limit of time or output */
     PP_CHILD_FAILED     /* could not be started, or a signal ended it */
 };
@@ -23,8 +23,8 @@ enum pp_child_end {
 struct pp_child_result {
     enum pp_child_end end;
     int status;
-    char *output, *errors; /* null-terminated, allocated by malloc; NULL: out of
-                            * memory */
+    char *output, *errors; /* null-terminated, allocated by malloc; NULL: nothing was
+                            * read, or out of memory */
     size_t length, error_length;
 };
 

@@ -10,7 +10,7 @@
 
 /* Commands that a request may run, with the options that it may set, separated by
  * blanks, and the output formats, default first. No option in this list may name a
- * file. */
+ * file; "weather" is the hash of an uploaded file. */
 static const struct {
     const char *command, *options, *formats;
 } commands[] = {

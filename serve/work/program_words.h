@@ -21,7 +21,7 @@ bool pp_program_words_make(struct pp_program_words *words, struct pp_task *task)
 /* Adds an argument, which is not copied and must exist as long as *words. */
 void pp_program_words_add(struct pp_program_words *words, const char *word);
 
-/* Adds a copy of "--name=value". */
+/* Adds a copy of "--name=value", or of "--name" if the value is empty. */
 void pp_program_words_add_option(struct pp_program_words *words, const char *name,
                                  const char *value);
 void pp_program_words_clear(struct pp_program_words *words);

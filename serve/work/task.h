@@ -18,7 +18,8 @@
 
 struct pp_task;
 
-/* Runs one slice of work, about 50 ms. Returns true if the answer is complete. */
+/* Runs one slice of work: about 40 ms of a simulation, or one child process. Returns
+ * true if the answer is complete. */
 typedef bool pp_task_run(struct pp_task *task);
 
 struct pp_task {

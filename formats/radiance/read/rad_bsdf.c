@@ -22,7 +22,8 @@ static bool locate_file(char *path, size_t size, const char *scene,
     return length > 0 && (size_t)length < size;
 }
 
-/* Returns the pane described by a file; each file is read once per scene. */
+/* Returns the pane described by a file; each file is read once per scene and value of
+ * `split`. */
 static enum pp_status pane_of_file(struct pp_rad_reader *reader, const char *path,
                                    bool split, struct pp_measured_pane **pane,
                                    struct pp_error *err)

@@ -7,10 +7,11 @@
  *     0                         0
  *
  * up: three numbers. The last 0 may be replaced by three or six numbers: diffuse
- * reflectances of the front, or of front and back, which are added to the data. The
- * front of a surface faces the room. The thickness is ignored. aBSDF traces unscattered
- * light as a ray (measured_pane.h). The path of the file is relative to the current
- * folder, or else to the folder of the scene file.
+ * reflectances of the front, or of front and back, which are added to the data. Three
+ * more numbers, the diffuse transmittance, must be 0. The front of a surface faces the
+ * room. The thickness is ignored. aBSDF traces unscattered light as a ray
+ * (measured_pane.h). The path of the file is relative to the current folder, or else to
+ * the folder of the scene file.
  */
 #ifndef PP_FORMATS_RADIANCE_READ_RAD_BSDF_H
 #define PP_FORMATS_RADIANCE_READ_RAD_BSDF_H

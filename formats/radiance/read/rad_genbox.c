@@ -1,9 +1,9 @@
 /* rad_genbox.c - builds the box from polygons, cylinders and spheres.
  *
  * Option -b bevels edges, -r rounds them. Rounded edges are cylinders, and rounded
- * corners spheres. With -n, and in boxes that face inwards, both are flat segments
- * instead: N per quarter turn, rounded up to a power of two. A bevel is a rounding with
- * one segment.
+ * corners spheres. With -n N for N above 2, both are flat segments instead: N per
+ * quarter turn, rounded up to a power of two. A box that faces inwards has 32 if -n is
+ * missing or 1. A bevel is a rounding with one segment.
  */
 #include "formats/radiance/read/rad_genbox.h"
 

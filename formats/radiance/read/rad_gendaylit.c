@@ -212,7 +212,8 @@ static void set_irradiances(struct pp_perez_conditions *weather,
     double distance = weather->sun_distance_au, global = asked->first;
     double outside = 1367.0 / (distance * distance) * sin(altitude);
     switch (asked->input) {
-    case 'P': /* with the limits of the model; eps has one that gendaylit lowers */
+    case 'P': /* within the limits of the model; eps above 12.01 becomes 12.009, as in
+               * gendaylit */
         pp_perez_sky_irradiances(
             &weather->direct_w_m2, &weather->diffuse_w_m2,
             asked->first > 12.01 ? 12.009 : fmax(asked->first, 1.0),

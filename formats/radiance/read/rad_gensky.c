@@ -43,8 +43,8 @@ static bool complain(char *wrong, size_t room, const char *what, const char *wor
     return false;
 }
 
-/* Reads "9", "9.5" or "9:30". A "+" before it means solar time; a time zone may follow
- * it. False if it is invalid. */
+/* Reads "9", "9.5" or "9:30". A "+" before it means solar time. A time zone may follow
+ * a time without "+". False if the word is invalid. */
 static bool read_hour(struct gensky_options *asked, const char *word)
 {
     static const struct {
@@ -366,7 +366,7 @@ static void set_brightness(struct pp_gensky *sky, struct gensky_options *asked)
         sky->pattern.sun = pp_vec_unit(sky->pattern.sun);
 }
 
-/* Reads all words, and places the sun. */
+/* Sets the defaults and reads all words. Does not place the sun. */
 static bool read_all(struct gensky_options *asked, char *const *words, int count,
                      char *wrong, size_t room)
 {

@@ -18,7 +18,7 @@ struct pp_gensky {
 /* Evaluates "gensky month day hour" or "gensky -ang altitude azimuth", with options;
  * words[0] is "gensky". Values are rounded as gensky prints them, so that the scene
  * equals a scene with the output of gensky. Returns false, with a sentence in `wrong`,
- * for unknown words. */
+ * for unknown or invalid words. */
 bool pp_rad_gensky_evaluate(struct pp_gensky *sky, char *const *words, int count,
                             char *wrong, size_t room);
 

@@ -23,7 +23,7 @@ struct scene_text {
     size_t length;
 };
 
-/* named: by another scene. */
+/* named: true if another scene names the file, which must then be a regular file. */
 static enum pp_status read_scene_text(struct scene_text *text, const char *path,
                                       bool named, struct pp_error *err);
 static enum pp_status read_text(struct pp_rad_reader *reader,

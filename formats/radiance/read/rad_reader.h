@@ -2,8 +2,8 @@
  * formats/radiance/ only.
  *
  * rad_read.c iterates over files, primitives and commands. rad_primitive.c reads one
- * primitive; rad_shapes.c, rad_materials.c, rad_sky.c and rad_functions.c add it to the
- * scene. rad_pipe.c, rad_xform.c and rad_genbox.c handle commands.
+ * primitive; rad_shapes.c, rad_materials.c, rad_bsdf.c, rad_sky.c and rad_functions.c
+ * add it to the scene. rad_pipe.c, rad_xform.c and rad_genbox.c handle commands.
  */
 #ifndef PP_FORMATS_RADIANCE_READ_RAD_READER_H
 #define PP_FORMATS_RADIANCE_READ_RAD_READER_H
@@ -77,7 +77,8 @@ struct pp_rad_reader {
     int copied_shapes;               /* shapes in copies */
     long copied_corners;             /* corners of polygons in copies */
     bool too_deep;                   /* nesting exceeded PP_RAD_DEPTH_MOST */
-    /* Strings of the current primitive; the memory is reused for the next one. */
+    /* Strings and numbers of the current primitive, and corners of the current polygon;
+     * the memory is reused for the next one. */
     struct pp_rad_word *strings;
     int string_space;
     double *numbers;

@@ -1,8 +1,8 @@
 /* rad_words.h - splits a Radiance scene file into words.
  *
- * Words are separated by white space. "#" begins a comment to the end of the line; a
- * line that begins with "!" is a command. Words point into the text and are found on
- * demand, so that only the text itself needs memory.
+ * Words are separated by white space; a word in quotes may contain blanks. "#" begins a
+ * comment to the end of the line; a line that begins with "!" is a command. Words point
+ * into the text and are found on demand, so that only the text itself needs memory.
  */
 #ifndef PP_FORMATS_RADIANCE_READ_RAD_WORDS_H
 #define PP_FORMATS_RADIANCE_READ_RAD_WORDS_H

@@ -28,8 +28,9 @@ struct pp_rad_writer {
     struct pp_rad_pair *pairs;
     int pair_count;
     int *pair_of;     /* by shape; -1: one material */
-    bool *in_pairs;   /* by material: used in a pair */
-    bool *on_its_own; /* by material: used alone */
+    bool *in_pairs;   /* by material: a side of a glazing or pane that is written with
+                       * its pair, or the back of a mirror, which is not written */
+    bool *on_its_own; /* by material: written by itself, for shapes or for a mixfunc */
     bool *behind;     /* by material: used as the back of a shape */
 };
 
