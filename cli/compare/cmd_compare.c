@@ -132,7 +132,8 @@ static void init_compare_options(void *values)
         (struct compare_options){.room = pp_room_options_none};
 }
 
-/* Reports an error if an option is given that applies only to rooms. */
+/* Reports an error if an option is given that applies only to rooms, or if there is no
+ * file besides the scene. */
 static enum pp_status check_scene(const struct compare_options *options, int file_count,
                                   struct pp_error *err)
 {

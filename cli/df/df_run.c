@@ -104,8 +104,8 @@ static enum pp_status simulate_room(const void *data, int room,
                             &run->options->engine, err);
 }
 
-/* Hand methods run before the simulation: they take milliseconds, and their results are
- * kept if the simulation fails. */
+/* Hand methods run before the simulation: they take milliseconds, and are complete even
+ * if the simulation is interrupted. */
 enum pp_status pp_df_run_compute(void *data, struct pp_error *err)
 {
     struct pp_df_run *run = data;

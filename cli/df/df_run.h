@@ -30,7 +30,7 @@ struct pp_df_run {
     struct pp_results results;
 };
 
-/* Makes an empty run. The functions below are the callbacks of a struct pp_job whose
+/* Makes an empty run. The next three functions are callbacks of a struct pp_job whose
  * `data` points to the run. */
 struct pp_df_run pp_df_run_of(const struct pp_df_options *options,
                               const struct pp_rooms *rooms);

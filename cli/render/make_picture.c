@@ -24,8 +24,8 @@
 /* Duration of a time slice, and time between checkpoints (s). */
 static const double slice_s = 0.1, checkpoint_s = 30.0;
 
-/* Maximum number of directions from a pixel to one window. The number of paths per
- * pixel is a further limit. */
+/* Maximum number of directions from a pixel to one window, over all paths of the pixel.
+ * Each path has at least one, so that a pixel with more paths has more directions. */
 enum { DIRECTIONS = 16 };
 
 /* Number of independent groups of a pixel's paths, used to estimate the standard error

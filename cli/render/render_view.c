@@ -85,7 +85,7 @@ static enum pp_status take_typed(struct pp_view_place *place,
     return PP_OK;
 }
 
-/* Rejects an eye inside a solid, from which nothing is visible. */
+/* Rejects an eye that lies in a surface. */
 static enum pp_status check_eye(struct pp_vec3 eye, const struct pp_world *world,
                                 struct pp_error *err)
 {

@@ -12,8 +12,8 @@ enum pp_status pp_render_view(struct pp_camera *camera, struct pp_picture_size *
                               const struct pp_light_scene *scene,
                               const struct pp_world *world, struct pp_error *err);
 
-/* Writes the description of a view for a sheet: "Perspective from 1.5, 8.6, 1.6 m
- * towards bearing 180°". */
+/* Writes the description of a view for a sheet: "Perspective from (1.5, 8.6, 1.6) m to
+ * bearing 180°". */
 void pp_render_view_words(char *text, size_t room, const struct pp_camera *camera,
                           const struct pp_world *world);
 

@@ -179,8 +179,8 @@ static void put_simulation(const struct pp_study_options *study, FILE *out)
     fprintf(out, " --seed %llu", (unsigned long long)study->seed);
 }
 
-/* Makes the command line with all options that affect results (criteria, files, rooms,
- * simulation), quoted for a shell. The caller frees the text. NULL: out of memory. */
+/* Makes the command line with options for criteria, files, rooms and simulation, quoted
+ * for a shell. The caller frees the text. NULL: out of memory. */
 static char *made_words(const struct pp_assess_run *run)
 {
     char *text = NULL;

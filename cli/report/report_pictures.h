@@ -16,12 +16,12 @@ struct pp_report_pictures {
 };
 
 /* Draws the pictures as SVG for a page, or, if to_place is set, for sheets. A site
- * (several rooms, objects with a state, or blocks) has a plan and elevations. Each room
- * has a plan and a section. A room with a former state also has a plan of the present
- * and former lit area. If the profile includes sunlight, sun paths are drawn for the
- * window with the least sun. Drawings that are not possible are omitted, such as the
- * plan of a room to which no hand method applies. The caller clears the pictures even
- * after a failure. */
+ * (several rooms, a former state, or blocks) has a plan and elevations. If `full` is
+ * set, each room has a plan and a section, and the chart of its simulated year if there
+ * is one. A room with a former state then also has a plan of the present and former lit
+ * area. If the profile includes sunlight, sun paths are drawn for the window with the
+ * least sun. Drawings that are not possible are omitted, such as the plan of a room to
+ * which no hand method applies. The caller clears the pictures even after a failure. */
 enum pp_status pp_report_pictures_draw(struct pp_report_pictures *pictures,
                                        const struct pp_assess_run *run, bool full,
                                        bool to_place, struct pp_error *err);

@@ -48,8 +48,8 @@ static enum pp_status move_text(char **text, size_t *length, const char *file,
     return status;
 }
 
-/* Writes the room file with the new sizes of all openings that reach the target.
- * PP_BAD_INPUT if no opening does. */
+/* Writes the room file with the new sizes of openings in all rooms that reach the
+ * target. PP_BAD_INPUT if no room does. */
 static enum pp_status write_sized_file(const struct pp_size_results *results,
                                        const char *file, const char *path,
                                        struct pp_error *err)

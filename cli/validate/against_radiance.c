@@ -53,7 +53,8 @@ static struct pp_room_figures against_room_figures(void *data, int index)
     return (struct pp_room_figures){&result->report, &result->by_clock};
 }
 
-/* Simulates a room. An interrupted simulation is not compared. */
+/* Simulates a room, and runs rtrace for the same points. An interrupted simulation is
+ * not compared. */
 static enum pp_status simulate_against_room(const void *data, int index,
                                             struct pp_report *report, bool *by_clock,
                                             struct pp_error *err)

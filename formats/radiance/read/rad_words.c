@@ -40,7 +40,7 @@ static void skip_line(struct pp_rad_words *words)
     words->at = end ? (size_t)(end - words->bytes) : words->length;
 }
 
-/* Skips to the next word or the end. */
+/* Skips white space and comments to the next word or the end. */
 static void skip_space(struct pp_rad_words *words)
 {
     while (words->at < words->length) {

@@ -273,10 +273,10 @@ static enum pp_status add_sky(struct rad_room_builder *b)
  *
  * The disc is diffuse. Its centre is below the centre of the room. It lies a fifth of a
  * millimetre below the level of ground.h, so that floors and surfaces on the ground
- * stay visible. Its radius is 100 times the distance of the farthest object outside.
- * Ground beyond the disc is seen only within 0.6 degrees below the horizon, and the
- * objects hide less than a thousandth of the sky from that ground. If the room extends
- * below ground level, the disc has a hole with the outline of the room.
+ * stay visible. Its radius is 100 times the distance of the farthest surface. Ground
+ * beyond the disc is seen only within 0.6 degrees below the horizon, and the objects
+ * hide less than a thousandth of the sky from that ground. If the room extends below
+ * ground level, the disc has a hole with the outline of the room.
  */
 
 /* Radius of the disc divided by the distance of the farthest object. */

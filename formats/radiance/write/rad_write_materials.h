@@ -29,8 +29,8 @@ enum pp_status pp_rad_write_materials_check(const struct pp_material *material,
 /* Sets the writer's in_pairs, on_its_own and behind from its pairs and shapes. */
 void pp_rad_write_materials_classify(struct pp_rad_writer *writer);
 
-/* True if the pair can be a Radiance mirror: its back is black, and its front is never
- * used as a back. */
+/* True if the pair can be a Radiance mirror: its front has only a mirror reflection and
+ * is never used as a back, and its back is black. */
 bool pp_rad_write_materials_is_mirror(const struct pp_rad_writer *writer,
                                       const struct pp_rad_pair *pair);
 
