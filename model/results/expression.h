@@ -64,7 +64,7 @@ enum pp_operation_kind {
 /* An operation, in postfix order. */
 struct pp_operation {
     unsigned char kind;  /* enum pp_operation_kind */
-    unsigned char count; /* number of arguments of min, max or sum */
+    unsigned char count; /* of a function: number of arguments */
     short column;        /* position in the text, from 0 */
     union {
         double number;
@@ -83,13 +83,13 @@ struct pp_expression {
 /* A mistake in a text; column: bytes before it. */
 struct pp_expression_mistake {
     int column;
-    char what[256]; /* "expected \")\", for the \"(\" in column 12" */
+    char what[256]; /* "expected \")\" for the \"(\" in column 12" */
 };
 
 /* Parses the text. names: list of `count` valid names. shift: column of the text in the
  * user's input, added to columns in messages. False, with a mistake, if it is not an
- * expression of these names, is too long, divides by 0, or adds different
- * dimensions. */
+ * expression of these names, is too long or too deeply nested, divides by a constant 0,
+ * or has wrong dimensions. */
 bool pp_expression_parse(struct pp_expression *expression, const char *text, int shift,
                          const struct pp_expression_name *names, int count,
                          struct pp_expression_mistake *mistake);

@@ -61,7 +61,8 @@ struct pp_formula_variant {
 
 /* Parsed formulae of a method, for use at many points. formulae: NULL-terminated, or
  * NULL for none. variant (not owned; NULL: none) replaces every formula for its symbol
- * that is not fixed and has all quantities that the variant uses. */
+ * that is not fixed, has all quantities that the variant uses, and has the variant's
+ * power of metres. */
 struct pp_formulary;
 enum pp_status pp_formulary_create(struct pp_formulary **formulary,
                                    const struct pp_formula *const *formulae,

@@ -56,7 +56,8 @@ struct pp_lit_change {
 struct pp_lit_change pp_lit_area_change(double plane_m2, double before_m2,
                                         double now_m2);
 
-/* Adds a room's values to a sum over rooms; initialise the sum with zeros. */
+/* Adds a room's values to a sum over rooms, without those that are NAN; initialise the
+ * sum with zeros. */
 void pp_lit_area_add(struct pp_lit_change *sum, const struct pp_lit_change *room);
 
 /* Name of a zone: "front zone", ... */

@@ -97,7 +97,7 @@ const char *pp_report_say(struct pp_report *report, const char *format, ...)
  * runs out. */
 struct pp_steps *pp_report_steps(struct pp_report *report);
 
-/* Frees the columns, sentences and steps; the other members stay. */
+/* Frees the columns, sentences, steps and more_receivers; the other members stay. */
 void pp_report_clear(struct pp_report *report);
 
 #endif

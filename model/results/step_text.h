@@ -16,8 +16,8 @@
 const char *pp_step_text_value(char *text, size_t room,
                                const struct pp_calculation_step *step, bool utf8);
 
-/* Appends the first `length` bytes of a formula or symbol. In UTF-8, names that begin
- * with a Greek letter's name get the letter, and a hyphen becomes a minus: "α_1 −
+/* Appends the first `length` bytes of a formula or symbol. In UTF-8, a run of letters
+ * that spells a Greek letter becomes that letter, and a hyphen becomes a minus: "α_1 −
  * β". */
 void pp_step_text_add(char *text, size_t room, const char *words, int length,
                       bool utf8);
@@ -27,8 +27,8 @@ void pp_step_text_formula(char *text, size_t room,
                           const struct pp_calculation_step *step, bool utf8);
 
 /* Writes the right side with the values of earlier steps substituted for their symbols,
- * in UTF-8: "0.85 × 1.560 / (100.512 × (1 − 0.5221))". Empty if the formula is one
- * symbol, or there is none. */
+ * in UTF-8: "0.85 × 1.560 / (100.512 × (1 − 0.5221))". Empty if no value is
+ * substituted, or the formula is a single symbol. */
 void pp_step_text_put_in(char *text, size_t room, const struct pp_steps *steps,
                          int index);
 

@@ -324,7 +324,7 @@ enum pp_status pp_building_mirror(struct pp_building *building,
 /* ---- blocks by name ---- */
 
 /* The room that stores the building's blocks: the common part or, if there is only one
- * room and nothing in the common part, that room. */
+ * room and the common part has no blocks, surfaces or meshes, that room. */
 static struct pp_room *holder(const struct pp_building *building)
 {
     bool lone = building->read_count == 1 && building->common.block_count == 0

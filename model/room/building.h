@@ -26,8 +26,8 @@ struct pp_building;
 /* Reads a room file; path "-" is standard input. Mistakes in the file's form or values
  * are added to mistakes (PP_BAD_INPUT). An unreadable file is PP_SYSTEM, or
  * PP_BAD_INPUT if it does not exist. If there are mistakes, *building contains the
- * valid parts, so that pp_world_create can find further mistakes; if the file cannot be
- * read, *building is NULL. */
+ * valid parts, so that pp_world_create can find further mistakes. *building is NULL if
+ * the file cannot be read, is truncated, or contains no room. */
 enum pp_status pp_building_read(struct pp_building **building, const char *path,
                                 struct pp_mistakes *mistakes, struct pp_error *err);
 

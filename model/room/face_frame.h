@@ -6,7 +6,8 @@
 #include "model/geometry/clipper.h"
 #include "model/room/world.h"
 
-/* Outline of a face in its own axes, with its first vertex as the origin. */
+/* Outline of a face in its own axes. The origin is the first vertex, projected onto the
+ * face's plane if the face is slightly uneven. */
 struct pp_face_frame {
     const struct pp_surface *face; /* not owned */
     struct pp_vec3 origin, along, up;

@@ -197,8 +197,8 @@ static const char *find_fault(const struct pp_world *world,
     const int count = among ? among->count : world->surface_count;
     for (int i = 0; i < count; i++) {
         const struct pp_surface *surface = &world->surfaces[among ? among->list[i] : i];
-        /* The tolerance is larger at a door, to include a point on the wall behind the
-         * door. */
+        /* The tolerance is larger at a door or dado, to include a point on the wall
+         * behind it. */
         double near_m = surface->role == PP_COVER ? 2.0 * PP_TOUCH_M : PP_TOUCH_M;
         if (!(fabs(pp_polygon_height(&surface->outline, position)) < near_m
               && pp_polygon_distance(&surface->outline, position) < near_m))

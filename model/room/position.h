@@ -11,8 +11,8 @@
  * envelope. */
 bool pp_position_in_room(const struct pp_world *world, struct pp_vec3 point);
 
-/* Bounds of the room. The second function returns true if an object with these corners
- * comes within 2 mm of the bounds. */
+/* Bounds of the room. The second function returns true if the bounds of these corners
+ * come within 2 mm of the room's bounds. */
 struct pp_bounds3 pp_position_bounds(const struct pp_world *world);
 bool pp_position_is_near(const struct pp_bounds3 *room, const struct pp_vec3 *corners,
                          int count);

@@ -30,7 +30,8 @@ static bool has_facade(const struct pp_room *room, const char *wall)
     return false;
 }
 
-/* Appends the facade; removes it again if it crosses the room. */
+/* Appends the facade; removes it again if the room then has mistakes, as when the
+ * facade crosses the room. */
 static enum pp_status try_facade(struct pp_room *room, struct pp_facade_part facade,
                                  bool *good, struct pp_error *err)
 {

@@ -5,10 +5,10 @@
 
 #include "model/room/room.h"
 
-/* Adds a facade to every vertical wall that has a window but no facade. The facade
- * extends by reach_m to both sides and upwards, and down to the ground, but not in
- * directions in which it would cross the room. It ends at a corner of the house if
- * there is a window round that corner. If any opening slopes, there is assumed to be no
+/* Adds a facade to every vertical wall with a name that has a window but no facade. The
+ * facade extends by reach_m to both sides, upwards, and downwards as far as the ground.
+ * It does not extend to a side where it would cross the room, or where a window is
+ * round the corner of the house. If any opening slopes, there is assumed to be no
  * building above, and facades do not extend upwards. `world` is the world of the
  * unchanged room. *added: number of new facades. */
 enum pp_status pp_room_facades_add(struct pp_room *room, const struct pp_world *world,

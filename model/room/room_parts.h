@@ -257,8 +257,8 @@ struct pp_within_part {
 struct pp_room {
     char *name, *ref, *address; /* NULL: not given */
     enum pp_room_use use;
-    double
-        north_rad; /* of a building's room that stands as read: NAN where not given */
+    double north_rad; /* bearing of +y, clockwise from true north; NAN: not given, in a
+                       * room of a building as read */
     struct pp_placement placement;
     enum pp_site_state state;
     struct pp_site_part site; /* the building's site unless the room has its own */

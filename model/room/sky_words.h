@@ -34,13 +34,13 @@ void pp_sky_words_set_type(struct pp_sky_part *part, int index);
 /* Reads "TYPE" or "TYPE,SUN-ALTITUDE,SUN-BEARING", in degrees ("iso-12,30,180").
  * Without a sun the part keeps its own. Also reads "picture,FILE" or
  * "picture,FILE,KEY=VALUE..." (sky_picture_file.h), including the file. PP_BAD_INPUT if
- * the type needs a sun and there is none, or the file cannot be read; the part is then
- * unchanged. */
+ * the text is not valid, or if the type needs a sun and there is none. The part is
+ * unchanged after a failure. */
 enum pp_status pp_sky_words_parse(struct pp_sky_part *part, const char *spec,
                                   struct pp_error *err);
 
 /* Makes the sky in the axes of a room whose +y has the bearing north_rad. PP_BAD_INPUT
- * if the sky needs a sun that is not given. */
+ * if the sky needs a sun that is not given or is below the horizon. */
 enum pp_status pp_sky_words_sky(struct pp_sky *sky, const struct pp_sky_part *part,
                                 double north_rad, struct pp_error *err);
 

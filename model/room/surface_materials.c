@@ -189,7 +189,7 @@ double pp_surface_materials_past_outer_panes(const struct pp_world *world,
     return share;
 }
 
-/* Reflectance of what covers part of the pane, on that side. */
+/* Reflectance of frame and screen fabric on that side. */
 static double cover_reflectance(const struct pp_world *world,
                                 const struct pp_opening *opening, bool inside)
 {
@@ -229,7 +229,8 @@ struct pp_material pp_surface_materials_pane(const struct pp_world *world, int i
     return pane_of(world, opening, opening->up, inside);
 }
 
-/* A face of a crown: a pane without glass, whose dirt is that of the leaves. */
+/* A face of a crown: a pane without glass. Its dirt factor is the transmittance of the
+ * leaves. */
 static struct pp_material crown_face(const struct pp_world *world,
                                      const struct pp_tree *tree)
 {

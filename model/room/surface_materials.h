@@ -8,9 +8,9 @@
 #include "model/room/world.h"
 
 /* Material of the front (the side of the normal) or back of a surface. Its name is
- * "floor", "ceiling", a wall's name, "reveal", "surface", "block" or "facade"; backs of
- * the envelope and of reveals have " (outside)" appended. Emission is relative to
- * Eh. */
+ * "floor", "ceiling", "reveal", "surface", "block", "facade", "skyline", or the name of
+ * a wall, door or dado; backs of the envelope and of reveals have " (outside)"
+ * appended. Emission is relative to Eh. */
 struct pp_material pp_surface_materials_of(const struct pp_world *world, int surface,
                                            bool front);
 
@@ -50,7 +50,8 @@ struct pp_material pp_surface_materials_outer_pane(const struct pp_world *world,
  * u, to a point inside; 1 if there are none in that direction. */
 double pp_surface_materials_past_outer_panes(const struct pp_world *world,
                                              struct pp_vec3 point, struct pp_vec3 u);
-/* The same of the glass alone, without a blind or other scattering. */
+/* Like pp_surface_materials_pane, but of the glass alone, without a blind or other
+ * scattering. */
 struct pp_material pp_surface_materials_glass(const struct pp_world *world,
                                               const struct pp_opening *opening,
                                               bool inside);
@@ -72,8 +73,8 @@ double pp_surface_materials_pane_from(const struct pp_opening *opening,
 double pp_surface_materials_pane_sun(const struct pp_opening *opening, struct pp_vec3 u,
                                      double cosine);
 
-/* All fields of a material, including its name. Materials are the same if their keys
- * are equal byte for byte; -0 counts as 0. */
+/* The fields of a material, including its name, but not its physically rough surface.
+ * Equal fields give keys that are equal byte for byte; -0 counts as 0. */
 enum { PP_MATERIAL_KEY_NUMBERS = 41, PP_MATERIAL_KEY_OF_SCATTER = 2 /* the last */ };
 struct pp_material_key {
     char name[PP_MATERIAL_NAME_SIZE];
@@ -81,7 +82,7 @@ struct pp_material_key {
 };
 struct pp_material_key pp_surface_materials_key(const struct pp_material *material);
 
-/* True if the materials are the same, including their names. */
+/* True if the keys of the materials are equal and their rough surfaces are the same. */
 bool pp_surface_materials_same(const struct pp_material *a,
                                const struct pp_material *b);
 

@@ -331,7 +331,7 @@ static void find_self_occlusion(struct pp_opening *opening,
 }
 
 /* Sets for each opening whether faces can hide it from inside or from outside, and for
- * the world whether there are surfaces in the room. */
+ * the world whether there are free-standing surfaces in the room. */
 static enum pp_status resolve_self_occlusion(struct pp_resolver *r,
                                              struct pp_error *err)
 {

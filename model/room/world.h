@@ -35,8 +35,8 @@ enum pp_role {
     PP_ROLE_COUNT
 };
 
-/* A surface: opaque and diffuse, visible from both sides. Faces of the envelope have no
- * holes; each opening refers to its face. */
+/* A surface: opaque, visible from both sides, and diffuse unless it has a finish. Faces
+ * of the envelope have no holes; each opening refers to its face. */
 struct pp_surface {
     struct pp_polygon outline; /* normal: envelope and reveals into the room; blocks
                                 * outwards; facades to the open air; skylines towards
@@ -46,14 +46,15 @@ struct pp_surface {
     int triangle_count;
     enum pp_role role;
     bool inside;      /* in the room: envelope, reveal, free-standing inside */
-    const char *name; /* name of the wall, or NULL */
+    const char *name; /* name of a wall, door, dado, <surface> or other named part;
+                       * NULL: none */
     double front,
         back;        /* reflectance of the side the normal points to, and the other */
     double exitance; /* light emitted by each side, relative to Eh */
-    const struct pp_finish *finish; /* named in the file: for the front; for both
-                                     * sides of blocks and free-standing surfaces.
-                                     * NULL: grey and diffuse. Reflectance is that of
-                                     * `front` */
+    const struct pp_finish *finish; /* named in the file: for the front; for both sides
+                                     * of covers, free-standing surfaces and all
+                                     * surfaces outside. NULL: grey and diffuse.
+                                     * Reflectance is that of `front` */
     int owner;          /* index of: a reveal's opening; a cover's wall (surface); a
                     * block; a facade; a skyline; the opening of a shade of this
                     * room. Else -1 */
@@ -295,7 +296,7 @@ struct pp_world {
                                * the place of the room */
     int holders;              /* holders in addition to the first */
 
-    bool is_empty; /* no surfaces in the room except covers */
+    bool is_empty; /* true: no free-standing surfaces or furniture in the room */
 
     double height_m;               /* z of the highest point of the envelope */
     double working_plane_m;        /* z of the working plane */
@@ -307,8 +308,8 @@ struct pp_world {
 /* Label of the first opening on that line of the room file; "" if there is none. */
 const char *pp_world_label(const struct pp_world *world, int line);
 
-/* "window" if that opening is in a wall, else "rooflight": the word before its label in
- * texts. */
+/* "rooflight" if an opening on that line of the room file is not in a wall, else
+ * "window": the word before its label in texts. */
 const char *pp_world_kind(const struct pp_world *world, int line);
 
 /* Area of the floor, m2. */
@@ -320,7 +321,8 @@ int pp_world_coarse_panes(const struct pp_world *world);
 /* Number of surfaces that do not belong to meshes; surfaces of meshes come last. */
 int pp_world_before_meshes(const struct pp_world *world);
 
-/* Index of the next surface after i; the sides of a block are skipped together. */
+/* Index of the next surface after i. If i is a side of a block: the surface after the
+ * sides of all blocks. */
 int pp_world_next_but_blocks(const struct pp_world *world, int i);
 
 /* A room as its file describes it (building.h). */

@@ -30,7 +30,7 @@ struct pp_glare_part {
 };
 
 /* Mean luminance (cd/m2); and mean position index: the index P of the mean of 1/P^2
- * weighted by L^2. */
+ * weighted by L^2 omega. */
 double pp_glare_sheet_luminance(const struct pp_glare_part *part);
 double pp_glare_sheet_index(const struct pp_glare_part *part);
 

@@ -93,7 +93,8 @@ double pp_device_states_tilt(const struct pp_opening *opening, struct pp_vec3 su
     return pp_blind_follow_tilt(&opening->device.slats, profile);
 }
 
-/* Turns the slats of opening i of a world, whose earlier openings may have the same. */
+/* Turns the slats of opening i of a world. The data of the blind are shared with an
+ * earlier opening that has the same slats. */
 static enum pp_status turn_slats(struct pp_world *world, int i, double tilt_rad,
                                  struct pp_error *err)
 {

@@ -32,7 +32,7 @@ bool pp_device_states_follows(const struct pp_opening *opening);
 double pp_device_states_tilt(const struct pp_opening *opening, struct pp_vec3 sun);
 
 /* Turns the slats that follow the sun in the world itself, for its position; has_sun
- * false: there is no direct sunlight, and the slats stay at 0 degrees. */
+ * false: there is no direct sunlight, and the slats are set to 0 degrees. */
 enum pp_status pp_device_states_turn(struct pp_world *world, bool has_sun,
                                      struct pp_vec3 sun, struct pp_error *err);
 

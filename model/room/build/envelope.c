@@ -9,7 +9,7 @@
 #include "model/geometry/tolerance.h"
 #include "model/room/build/outline.h"
 
-/* Reflectance of the outer sides of walls and roof; assumed. */
+/* Reflectance of the outer sides of the envelope; assumed. */
 static const double outer_reflectance = 0.2;
 
 static enum pp_status name_wall(struct pp_resolver *r, const char *name, int face,

@@ -141,7 +141,8 @@ static const char *room_words(char words[96], const struct pp_resolver *r,
     return words;
 }
 
-/* Reports a surface that crosses the envelope; *clear is true if it does not. */
+/* Reports a surface that crosses the envelope, or lies on a side of it where it must
+ * not be; else *clear is true. */
 static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
                                   const struct pp_surface_part *part, const char *what,
                                   const struct pp_polygon *polygon,

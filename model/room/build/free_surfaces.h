@@ -7,8 +7,8 @@
 
 enum pp_status pp_build_free_surfaces(struct pp_resolver *r, struct pp_error *err);
 
-/* Adds a surface that is not an element <surface> of the file. what: name of its
- * element in messages; static. */
+/* Adds one surface: an element <surface>, or a side of another element. what: name of
+ * its element in messages. */
 enum pp_status pp_build_free_surfaces_add(struct pp_resolver *r,
                                           const struct pp_surface_part *part,
                                           const char *what, struct pp_error *err);

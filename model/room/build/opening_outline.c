@@ -27,8 +27,8 @@ const char *pp_opening_outline_face_words(char *text, size_t size,
     return text;
 }
 
-/* Outline of the window in its wall. Reports a window that extends beyond its wall, and
- * returns false. */
+/* Outline of the window in its wall. Reports a window that extends beyond the bounding
+ * rectangle of its wall, and returns false. */
 static bool window_outline(struct pp_resolver *r, const struct pp_opening_part *part,
                            const struct pp_face_frame *frame, double xy[4][2])
 {
@@ -148,8 +148,8 @@ static int ceiling_of(const struct pp_world *world, const struct pp_opening_part
 }
 
 /* Face in whose plane all vertices lie; -1 if there is none. If there are several, the
- * face nearest to the centre of the vertices. *nearest: face whose plane fits the
- * vertices best; *off_m: greatest distance of a vertex from that plane. */
+ * face nearest to the centre of the vertices. *nearest: face from which the farthest
+ * vertex has the smallest distance; *off_m: that distance. */
 static int face_of_outline(const struct pp_world *world,
                            const struct pp_vertices *vertices, int *nearest,
                            double *off_m)

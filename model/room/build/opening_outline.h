@@ -14,7 +14,8 @@ const char *pp_opening_outline_face_words(char *text, size_t size,
                                           const struct pp_surface *face);
 
 /* Index of the face that contains the opening. -1, with a report, if there is no such
- * face; -1 also if the face itself is invalid. */
+ * face, or if the vertices of an <opening> are clockwise seen from inside; -1 also if
+ * the face itself is invalid. */
 int pp_opening_outline_face(struct pp_resolver *r, const struct pp_opening_part *part);
 
 /* Outline of the opening in the axes of that face, counter-clockwise seen from inside.

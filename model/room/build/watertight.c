@@ -36,9 +36,10 @@ struct watertight_check {
         *edges; /* sorted; edges between the same two corners are adjacent */
     int edge_count;
     struct face_visit *faces;
-    int *neighbours; /* by edge of each face: the face beyond it; -1: none */
-    bool *same_way;  /* by edge of each face: true if both faces traverse it in the
-                      * same direction */
+    int *neighbours; /* faces that share an edge with a face, from its `first` on, in no
+                      * order; -1: none */
+    bool *same_way;  /* as neighbours: true if both faces traverse the common edge in
+                      * the same direction */
     int part_count;
 };
 
