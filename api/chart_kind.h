@@ -71,8 +71,8 @@ struct pp_board_options {
                     * solution */
 
     struct pp_overlay_options overlay;
-    double inclined_deg; /* Waldram diagram: slope in plan of the edges whose droop
-                          * lines are drawn */
+    double inclined_deg; /* Waldram diagram: angle to the window, in plan, of the edges
+                          * whose droop lines are drawn */
     bool inclined;       /* true if inclined_deg is given */
 
     const char *window; /* name, wall or line of the window (choose_window.h), for
@@ -125,8 +125,8 @@ struct pp_chart_kind {
     const char *summary; /* one line, without a full stop */
     bool board;          /* drawing-board diagram: can be blank, without a room */
     bool from_point;     /* drawing-board diagram for one point of a room */
-    bool of_window;      /* drawing-board diagram for the outside of one window under
-                          * the overcast sky */
+    bool of_window;      /* shows one window, from --window, instead of points; with a
+                          * room, --sky does not apply */
     bool outside;        /* shows outdoor daylight: needs no room */
     bool compares;       /* can also show a room's former state */
     bool of_site;        /* one sheet shows all rooms of a file */
@@ -136,7 +136,7 @@ struct pp_chart_kind {
     bool of_year;        /* needs a weather file and a room */
     bool transparent;    /* overlay: no white background */
 
-    bool landscape; /* true if the sheet is always landscape */
+    bool landscape; /* true if the sheet is landscape for every room */
     bool (*landscape_for)(const struct pp_world *world); /* true if the sheet for this
                                                           * room is landscape; NULL:
                                                           * never landscape */

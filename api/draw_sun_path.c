@@ -174,7 +174,7 @@ static enum pp_status draw_sun_path_sheet(struct pp_canvas *canvas,
 }
 
 /* Finds the sun at the same window of the room in its former state. PP_BAD_INPUT if the
- * two rooms do not have the same windows. */
+ * two rooms do not have the same geometry (pair_rooms.h). */
 static enum pp_status find_before(struct window_sun *sun, const struct pp_world *world,
                                   const struct pp_world *before, int window,
                                   struct pp_error *err)

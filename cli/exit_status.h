@@ -9,7 +9,8 @@ enum pp_exit {
     PP_EXIT_INPUT = 1,   /* a file or its data is invalid */
     PP_EXIT_USAGE = 2,   /* the command line is invalid */
     PP_EXIT_MACHINE = 3, /* a system error: disk full, out of memory, no permission */
-    PP_EXIT_INTERRUPTED = 130, /* results so far are printed and marked as unfinished */
+    PP_EXIT_INTERRUPTED = 130, /* results so far, if printed, are marked as
+                                * unfinished */
 };
 
 static inline enum pp_exit pp_exit_status_of(enum pp_status status)

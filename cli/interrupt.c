@@ -1,5 +1,5 @@
-/* interrupt.c - stores SIGINT and SIGTERM in a flag. A second signal ends the
- * process. */
+/* interrupt.c - stores SIGINT and SIGTERM in a flag. A second signal of the same kind
+ * ends the process. */
 #include "cli/interrupt.h"
 
 #include <signal.h>

@@ -5,8 +5,8 @@
 
 #include <stdbool.h>
 
-/* Begins to handle SIGINT and SIGTERM. The first signal is stored; a second signal ends
- * the program as usual. A signal that was ignored remains ignored. */
+/* Begins to handle SIGINT and SIGTERM. The first signal is stored; a second one of the
+ * same kind ends the program as usual. A signal that was ignored remains ignored. */
 void pp_interrupt_watch(void);
 
 /* Ends the handling: a signal then ends the program at once, as before

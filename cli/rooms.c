@@ -291,8 +291,9 @@ enum pp_exit pp_rooms_load(struct pp_rooms *rooms, const char *command, char **f
     return result;
 }
 
-/* Sets the building to the state. If `line` is not NULL, instead replaces the proposed
- * parts by the building's mirror image about that line. */
+/* Sets the building to the state. If `line` is not NULL, instead keeps the parts that
+ * exist in both states and adds the mirror image of the placed rooms about that
+ * line. */
 static enum pp_status settle_again(struct pp_building *building,
                                    enum pp_site_state state,
                                    const struct pp_mirror_line *line,

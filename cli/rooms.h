@@ -33,8 +33,9 @@ enum pp_exit pp_rooms_load_state(struct pp_rooms *rooms, const char *command,
                                  const struct pp_room_options *options,
                                  enum pp_site_state state);
 
-/* Loads the rooms again. In each building, the proposed parts are replaced by the
- * mirror image of the retained parts. Every file must have states. */
+/* Loads the rooms again. Each building then has the parts that exist in both states,
+ * and the mirror image of its placed rooms about the line. Every file must have
+ * states. */
 enum pp_exit pp_rooms_load_mirrored(struct pp_rooms *rooms, const char *command,
                                     const struct pp_rooms *proposed,
                                     const struct pp_room_options *options,

@@ -26,8 +26,8 @@ const char *pp_availability_options_typed(const struct pp_year_options *options)
 /* Reads the weather file, if there is one, and reports its errors on standard error. */
 enum pp_exit pp_availability_options_load(struct pp_year_options *options, bool strict);
 /* Finds, in a loaded weather file, the median diffuse illuminance over the brightest
- * 4380 hours, and the probability of sunshine. If there is no median, reports the
- * reason on standard error. */
+ * 4380 hours (diffuse_light.h), and the probability of sunshine. If there is no median,
+ * reports the reason on standard error. */
 enum pp_exit pp_availability_options_median(const struct pp_year_options *options,
                                             double *median_lx,
                                             struct pp_sunshine *sunshine);

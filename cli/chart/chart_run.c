@@ -72,7 +72,7 @@ static int count_sheets(const struct chart_task *task)
     return sheets;
 }
 
-/* Finds the former state of each room by name. */
+/* Finds the former state of each room (room_before.h). */
 static enum pp_status pair_rooms(struct chart_task *task, struct pp_error *err)
 {
     const struct pp_rooms_before before = {task->former.list, task->former.count,

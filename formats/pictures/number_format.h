@@ -1,8 +1,8 @@
 /* number_format.h - the list of formats that store a picture's numbers.
  *
  * Formats that only show a picture (PNG, PDF, SVG) belong to charts/ instead. A new
- * format needs a file model/pictures/picture_NAME.c that writes it, and an entry and a
- * line in number_format.c.
+ * format needs a file model/pictures/picture_NAME.c that writes it, an entry and a line
+ * in number_format.c, and a declaration below.
  */
 #ifndef PP_FORMATS_PICTURES_NUMBER_FORMAT_H
 #define PP_FORMATS_PICTURES_NUMBER_FORMAT_H

@@ -24,8 +24,9 @@ bool pp_http_guard_host(const struct pp_serve_options *options, const char *host
 bool pp_http_guard_same(const char *wanted, const char *given);
 
 /* Returns 0 if the request is accepted. Otherwise returns the HTTP status of the error
- * and sets *why to the reason. is_page: the path is a file of the web page, which is
- * public; token: token that the path requires; NULL: none. */
+ * and sets *why to the reason. body_type: media type that the body must have; NULL:
+ * none; is_page: the path is a file of the web page, which is public; token: token that
+ * the path requires; NULL: none. */
 unsigned pp_http_guard_check(const struct pp_serve_options *options,
                              const struct pp_http_headers *headers,
                              const char *body_type, bool is_page, const char *token,

@@ -33,9 +33,9 @@ enum pp_work_line_verdict pp_work_line_submit(struct pp_work_line *line,
 /* Number of tasks in the queue or running. */
 int pp_work_line_count(struct pp_work_line *line);
 
-/* Stops the workers after their present slice and finishes all tasks. line NULL: does
- * nothing. Returns false if a slice takes longer than `seconds`; the queue is then not
- * freed. */
+/* Waits until the queue is empty, and ends the workers. A cancelled task gets no
+ * further slice. line NULL: does nothing. Returns false if this takes longer than
+ * `seconds`; the queue is then not freed. */
 bool pp_work_line_destroy(struct pp_work_line *line, double seconds);
 
 #endif

@@ -10,8 +10,9 @@
  * Finishes are diffuse and grey, as in the calculation of daylight factors, or have
  * their colour and gloss.
  *
- * Radiance cannot describe rooms with surfaces that emit light, or with more than 16
- * skylines without a distance. Such rooms are rejected with a reason.
+ * Rejected with a reason: surfaces that emit light; more than 16 skylines without a
+ * distance; blinds between panes or in openings that are not rectangular; a coarse
+ * model with blinds; a photographed sky.
  */
 #ifndef PP_FORMATS_RADIANCE_WRITE_RAD_ROOM_H
 #define PP_FORMATS_RADIANCE_WRITE_RAD_ROOM_H

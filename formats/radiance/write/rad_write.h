@@ -8,7 +8,9 @@
  *     plastic ...   opaque; metal if the gloss has the colour, mirror if the material
  *                   has only a mirror reflection; plastic2, metal2 with two roughnesses
  *     trans, trans2 translucent
- *     glow, light   emitters, with a pattern if they have one
+ *     glow, light,  emitters, with a pattern if they have one; illum if invisible
+ *     illum
+ *     BSDF, aBSDF   scattering panes, with a data file
  *     mixfunc       shapes whose sides differ
  */
 #ifndef PP_FORMATS_RADIANCE_WRITE_RAD_WRITE_H
