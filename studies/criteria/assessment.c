@@ -115,7 +115,8 @@ static bool is_of_states(const struct pp_criterion *criterion)
     return criterion->of_states;
 }
 
-/* Assesses the room by the chosen criteria for which `applies` is true. */
+/* Assesses the room by the chosen criteria and the rules (if any) for which `applies`
+ * is true. */
 static enum pp_status judge_criteria(struct pp_answer_list *answers,
                                      const struct pp_inquiry *inquiry,
                                      const bool chosen[PP_CRITERIA_MOST],
@@ -180,9 +181,9 @@ static const double small_error = 0.02;
 /* Limits for a grid that the user has not chosen: number of halvings, and of points. */
 enum { HALVINGS_MOST = 3, POINTS_MOST = 4000 };
 
-/* True if the error due to the grid exceeds that due to noise and may change the
- * verdict. A minimum is excluded (it has no fraction of the plane), because it changes
- * with every refinement of the grid. */
+/* True if the error due to the grid exceeds that due to noise, and either the verdict
+ * is undecided or that error is above small_error. A minimum is excluded (it has no
+ * fraction of the plane), because it changes with every refinement of the grid. */
 static bool is_coarse(const struct pp_finding *finding)
 {
     if (!(finding->grid_error > 0.0) || !isfinite(finding->reached_over)
@@ -274,8 +275,9 @@ static enum pp_status trace_finer(struct pp_assessment *assessment,
 }
 
 /* Chooses the criteria that are named. If none are named, chooses those of the profile
- * that apply to the room. Without a profile, chooses all criteria in force that apply
- * to the room. A profile implies the rules of its country. */
+ * that apply to the use of the room, whatever its country. Without a profile, chooses
+ * all criteria that apply to the room, except those that use a year or glare and,
+ * unless requested, withdrawn ones. With rules, chooses none. */
 static enum pp_status choose_criteria(bool chosen[PP_CRITERIA_MOST],
                                       const struct pp_assessment *assessment,
                                       const struct pp_assess_options *options,

@@ -85,8 +85,7 @@ struct pp_assessment {
     struct pp_answer_list cumulative_answers; /* findings of criteria of_states for the
                                                * cumulative state in place of the
                                                * proposed one */
-    bool has_gains; /* true if all criteria were selected, and improvements were
-                     * searched */
+    bool has_gains;                           /* true if improvements were searched */
     struct pp_gains gains;
     struct pp_receiver *point_list; /* the rules' points; owned */
     struct pp_report points;        /* daylight factors at point_list */
@@ -125,8 +124,8 @@ enum pp_status pp_assessment_begin(struct pp_assessment *assessment,
 bool pp_assessment_needs_year(const char *criteria, const struct pp_profile *profile,
                               bool optional);
 
-/* Assesses the room from the available data. Searches for improvements (gains) if all
- * criteria are selected. */
+/* Assesses the room from the available data. Searches for improvements (gains) if the
+ * options give no criteria, profile or rules, and verdicts_only is false. */
 enum pp_status pp_assessment_judge(struct pp_assessment *assessment,
                                    const struct pp_assess_options *options,
                                    struct pp_error *err);

@@ -26,11 +26,12 @@ int pp_bearing_dwelling_rooms(enum pp_room_use use);
 bool pp_bearing_needs_daylight(enum pp_room_use use); /* all uses except bathroom,
                                                        * hall and store */
 bool pp_bearing_is_dwelling(enum pp_room_use use);
-bool pp_bearing_is_lived_in(
-    enum pp_room_use use); /* all or part of the room is a living room */
+bool pp_bearing_is_lived_in(enum pp_room_use use); /* at least part of the room is a
+                                                    * living room, or the use is
+                                                    * unknown */
 
 /* True if the criterion applies to the room's use and, if by_country, to the site's
- * country. Also true if use or country is unknown. */
+ * country. An unknown use or country is no obstacle. */
 bool pp_bearing_bears(const struct pp_criterion *criterion,
                       const struct pp_world *world, bool by_country);
 

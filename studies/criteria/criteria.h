@@ -1,4 +1,4 @@
-/* criteria.h - the list of all criteria, and the entry of each criterion for tests. */
+/* criteria.h - the list of all criteria, and the entry of each criterion. */
 #ifndef PP_STUDIES_CRITERIA_CRITERIA_H
 #define PP_STUDIES_CRITERIA_CRITERIA_H
 

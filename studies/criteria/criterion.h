@@ -82,7 +82,8 @@ struct pp_criterion {
     bool of_states;          /* true: assesses sky or sun, which change with the state
                               * of the site */
     bool of_gardens;         /* true: evaluated only for a room with gardens */
-    bool of_year;            /* true: uses the inquiry's year; assessed only if named */
+    bool of_year;            /* true: uses the inquiry's year; assessed only if named or
+                              * in a profile */
     bool of_glare;      /* true: uses the inquiry's glare; assessed only if named or in
                          * a profile */
     bool of_plane_year; /* true: uses the inquiry's year on a grid of the plane, if

@@ -8,8 +8,8 @@
 #include "studies/criteria/grid/plane_share.h"
 
 /* Adds to a report, whose world and receivers the caller has set, the columns of
- * `average-df`, of `exact+bre` and, in rooms that `exact+bre` does not cover, of
- * `exact+split-flux`. */
+ * `average-df` and of `exact+bre` or, in rooms that `exact+bre` does not cover, of
+ * `exact+split-flux` instead. */
 enum pp_status pp_factors_by_hand(struct pp_report *report, struct pp_error *err);
 
 /* Reason why criteria of daylight factors do not apply to the room: its sky is not

@@ -4,8 +4,9 @@
  *                                                          1204.2
  *   openings in the wall, frames included, over floor area >= 1/8  [MBO02] section 47
  *
- * If the country is known, only its own code applies. All openings are included, with
- * any kind of glass, also rooflights. The floor area is that of the whole room.
+ * In the United States only the first applies, in Germany only the second; elsewhere
+ * both are assessed. All openings are included, with any kind of glass, also
+ * rooflights. The floor area is that of the whole room.
  */
 #include <math.h>
 #include <string.h>

@@ -28,8 +28,7 @@ struct pp_site_row {
 
 /* The lines of all rooms, in the order of the rooms; new rooms are last. */
 struct pp_site_table {
-    bool has_cumulative;         /* true: some line has a value in the cumulative
-                                  * state */
+    bool has_cumulative;         /* true: some room has a cumulative state */
     bool has_mirror_image;       /* true: some line has a value with the mirror image */
     struct pp_site_row *windows; /* vertical sky component, one line per window */
     int window_count;

@@ -10,9 +10,10 @@
 #include "studies/glare/dgp.h"
 #include "studies/glare/glare_view.h"
 
-/* Number of cells across the field of view. A moment has cells of 0.9 degrees, since
- * its results are printed by opening; a year has cells of 1.8 degrees. In the views of
- * the tests, cells of half the size change DGP by at most 0.001 and 0.003. */
+/* Number of cells across the field of view. A moment has cells of about 1.1 degrees,
+ * since its results are printed by opening; a year has cells of about 2.2 degrees. In
+ * the views of the tests, cells of half the size change DGP by at most 0.001 and
+ * 0.003. */
 enum { SIDE_MOMENT = 128, SIDE_YEAR = 64, SURFACE_SAMPLES = 64 };
 
 const struct pp_glare_options pp_glare_options_default = {
@@ -74,8 +75,8 @@ static double worst_of(const struct pp_annual_sheet *sheet)
 
 /* Simulates the illuminances at the eyes. A moment is simulated by paths under the true
  * sky and sun. For a single hour this is faster than sky patches and sun cells, and its
- * only error is noise. The number of paths begins with 1024 and is doubled until the
- * target error is reached. */
+ * only error is noise. The number of paths, unless given, begins with 1024 and is
+ * doubled until the target error or 16,384 paths are reached. */
 static enum pp_status light_eyes(struct glare_work *work, struct pp_error *err)
 {
     enum { PATHS = 1024, PATHS_MOST = 16384 };

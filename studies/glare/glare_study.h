@@ -2,8 +2,8 @@
  * hours of a weather file.
  *
  * The illuminance at the eye is simulated like that at other points
- * (studies/year/annual.h). Glare sources are found by glare_view.h. Windows have no
- * blinds.
+ * (studies/year/annual.h). Glare sources are found by glare_view.h. Blinds, screens and
+ * curtains of the room file are closed at all hours.
  */
 #ifndef PP_STUDIES_GLARE_GLARE_STUDY_H
 #define PP_STUDIES_GLARE_GLARE_STUDY_H

@@ -48,7 +48,7 @@ static bool has_shades(const struct pp_world *world)
     return false;
 }
 
-/* Total area of the openings. *I_O is set to their area-weighted mean. */
+/* Total area of the openings. *I_O: mean of I_O over the openings, weighted by area. */
 static double area_of_openings(const struct pp_world *world, double *I_O)
 {
     double sum = 0.0, seen = 0.0;

@@ -16,7 +16,7 @@ static const double near_m = 3.0;
 
 /* A wall that could be drawn on an elevation. */
 struct seen_wall {
-    struct pp_elevation_wall wall; /* only room_at, face and front_m are set */
+    struct pp_elevation_wall wall; /* only room, room_at, face and front_m are set */
     struct pp_bounds2 box;         /* in coordinates u and v */
     bool has_windows;
     int index;

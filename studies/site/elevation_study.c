@@ -237,7 +237,7 @@ static enum pp_status add_elevation_shades(struct pp_elevation_sheet *sheet,
     return status;
 }
 
-/* Facades and trees are drawn up to this distance (m) outside the walls. */
+/* Facades, shading and trees are drawn up to this distance (m) outside the walls. */
 static const double beyond_m = 1.5;
 
 /* Extends the elevation so that it shows facades, shading and trees. The extension is

@@ -10,7 +10,8 @@
  * wall belongs to the elevation of its direction, within 2 degrees; internal walls do
  * not belong to any. The vertical sky component is calculated in the outer plane of the
  * wall: that of the facade, or, if there is none, of the deepest reveal. Contours are
- * accurate to 10 mm. PP_BAD_INPUT if there is no vertical window. */
+ * accurate to 10 mm. PP_BAD_INPUT if there is no vertical window, or if the meshes
+ * outside a room have more than 2000 triangles. */
 enum pp_status pp_elevation_study_make(struct pp_elevation_sheet *sheet,
                                        const struct pp_site_rooms *rooms,
                                        struct pp_error *err);

@@ -19,8 +19,8 @@ struct pp_garden_sun {
 /* Calculates the possible hours of sun at ground level in closed form
  * (methods/exact/sunlit_hours.h). All obstructions hide the sun, including the rooms.
  * The boundary of the area with two hours of sun is accurate to 1/2000 of the garden's
- * diagonal and to 10 mm. The caller clears *sun, which is empty after a failure. The
- * world must have a latitude. */
+ * diagonal or to 10 mm, whichever is larger. The caller clears *sun, which is empty
+ * after a failure. The world must have a latitude. */
 enum pp_status pp_garden_sun_find(struct pp_garden_sun *sun,
                                   const struct pp_world *world,
                                   const struct pp_garden *garden, struct pp_error *err);

@@ -19,7 +19,7 @@ struct pp_site_rooms {
 };
 
 /* Makes the sheet. The caller clears *sheet, which is empty after a failure. Objects
- * outside are those of the first room, and of the first room that has a former state.
+ * outside are those of the first room, and of its former state if that is known.
  * Windows of rooms one above the other, in the same wall plane, are counted as storeys
  * from the lowest. */
 enum pp_status pp_site_study_make(struct pp_site_sheet *sheet,

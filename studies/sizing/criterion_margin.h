@@ -15,14 +15,15 @@
 /* Checks the words of a request: the name of a criterion, optionally followed by a
  * colon and the beginning of the names of findings to be considered
  * ("en17037:minimum"). Without a colon, all findings are considered. PP_BAD_INPUT if
- * there is no such criterion; the message lists the valid names. */
+ * there is no such criterion (the message lists the valid names), if it needs a
+ * simulated year, or if the words contain a comma. */
 enum pp_status pp_criterion_margin_check(const char *words, struct pp_error *err);
 
 /* Calculates the margin of `world` (the room, or a changed copy of it) on the same grid
  * as assess. traced: options for simulated daylight factors; NULL: hand methods. The
  * reading has no value, and `why` is the reason, if a finding cannot be assessed or
- * none has a target. The same applies if simulation is requested for a criterion
- * without daylight factors. */
+ * none has a target. If simulation is requested for a criterion without daylight
+ * factors, the reading has no value and `why` is empty. */
 enum pp_status pp_criterion_margin(struct pp_reading *reading, char *why,
                                    size_t why_bytes, const char *words,
                                    const struct pp_study_room *room,

@@ -44,7 +44,7 @@ static enum pp_status evaluate_gain(struct pp_gain_values *values,
     return status;
 }
 
-/* Target for the relative standard error of a simulated average. */
+/* Least target for the relative standard error of a simulation. */
 static const double gain_error = 0.02;
 
 /* Simulates the same daylight factors; NAN if the simulation is interrupted. */

@@ -54,9 +54,9 @@ enum pp_status pp_gains_find(struct pp_gains *gains, const struct pp_room *room,
 
 /* Replaces the values by hand by simulated values, for the room and for the
  * PP_GAINS_SIMULATED changes with the greatest averages by hand. Other changes are
- * removed from the list. Standard errors of the averages are at most 2 %, unless
- * options->samples or options->seconds end the simulation earlier. Does nothing if no
- * method applies to the room. */
+ * removed from the list. The target error is options->error, but at least 2 %;
+ * options->samples, if given, replaces it. options->seconds is the time for all
+ * simulations together. Does nothing if no method applies to the room. */
 enum { PP_GAINS_SIMULATED = 6 };
 enum pp_status pp_gains_simulate(struct pp_gains *gains, const struct pp_room *room,
                                  const struct pp_world *world,

@@ -23,7 +23,7 @@ struct envelope_search {
 };
 
 /* Height z of a window's plane above the nearest corner of a cell; INFINITY if the cell
- * is behind the window's wall. */
+ * is behind the window's wall, or if there is no plane. */
 static double plane_over(const struct pp_retained_sky_place *due, double tangent,
                          const struct pp_building_cell *cell)
 {

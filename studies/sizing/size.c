@@ -44,8 +44,8 @@ struct search {
     struct pp_size_answer *answer;
 };
 
-/* Makes the world of a changed room. If the room is invalid, the errors found in it
- * become the error message. */
+/* Makes the world of a changed room. If the room is invalid, the first error found in
+ * it becomes the error message. */
 static enum pp_status world_of(struct pp_world **world, const struct pp_room *room,
                                struct pp_error *err)
 {

@@ -42,8 +42,9 @@ struct pp_size_answer {
     enum pp_size_verdict verdict;
     struct pp_reading now;      /* value of the present room */
     struct pp_reading smallest; /* value for the smallest size */
-    struct pp_reading largest;  /* value for the largest size */
-    struct pp_reading reading;  /* value for the size found, `step` */
+    struct pp_reading largest;  /* value for the largest size; for PP_CHANGE_NUMBER, for
+                                 * the largest number tried */
+    struct pp_reading reading;  /* value for the size found */
     struct pp_room *room;       /* room with the size found, owned; NULL: there is no
                                  * value */
     struct pp_room

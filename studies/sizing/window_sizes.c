@@ -174,7 +174,7 @@ static enum pp_status stop_blocked(int *stopped, const struct pp_window_sizes *s
 }
 
 /* Adds the next station, at which one of the moving edges is blocked. *done is set to
- * true if no edge can move. */
+ * true if no edge can move, or if no edge was found to be blocked. */
 static enum pp_status advance_sizes(bool *done, struct pp_window_sizes *sizes,
                                     struct pp_room *trial, double *way, double *moved,
                                     struct pp_error *err)

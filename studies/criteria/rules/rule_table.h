@@ -27,8 +27,8 @@ const struct pp_rule *pp_rule_table_at(int index);
  * name occurs once. */
 const char *pp_rule_table_name(int index);
 
-/* True if the row can be assessed: its numbers were seen in a public source, and the
- * program calculates its quantity. */
+/* True if the row can be assessed: its numbers were seen at their source or come from a
+ * secondary source, and the program calculates its quantity. */
 bool pp_rule_table_is_judged(const struct pp_rule *rule);
 
 /* True if the row applies to rooms of that use. Every row applies to rooms of unknown

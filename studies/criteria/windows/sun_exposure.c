@@ -97,8 +97,8 @@ static enum pp_status find_turn(double *turn_rad, const struct pp_inquiry *inqui
     return status;
 }
 
-/* Hours with the sun above the lower and above the upper bound of the altitude; the
- * bounds are equal if the altitude is known. */
+/* Hours with the sun above the upper (least) and above the lower (most) bound of the
+ * altitude; the bounds are equal if the altitude is known. */
 struct bounded_hours {
     double altitude_rad; /* 0: not known */
     double least, most;

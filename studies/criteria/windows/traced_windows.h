@@ -10,8 +10,8 @@
 /* Simulates the illuminance at the centre of the outside of each vertical opening, from
  * the sky and from all surfaces outside, over Eh. *readings has one entry for each
  * opening (NAN if the opening is not vertical), which the caller frees, even after a
- * failure. *finished: false if the watch stopped the simulation; *by_clock: true if its
- * time limit did. Both are unchanged otherwise. */
+ * failure. *finished: false if the watch stopped the simulation; *by_clock: true if the
+ * time limit of the study (study->seconds) did. Both are unchanged otherwise. */
 enum pp_status pp_traced_windows_light(struct pp_reading **readings,
                                        const struct pp_world *world,
                                        const struct pp_outside_light *light,

@@ -45,8 +45,8 @@ struct pp_window_schedule {
     bool probable; /* true: sunlight hours are probable ones; false: possible ones */
 };
 
-/* A line for each window whose sky or sunlight was assessed, in the order of rooms. The
- * caller clears the schedule, even after a failure. */
+/* A line for each window whose sky or sunlight was assessed, in the order of rooms; new
+ * rooms are last. The caller clears the schedule, even after a failure. */
 enum pp_status pp_window_schedule_of(struct pp_window_schedule *schedule,
                                      const struct pp_assessment *rooms, int count,
                                      struct pp_error *err);
