@@ -136,7 +136,8 @@ static bool faces_an_opening(const struct pp_world *world, const struct pp_block
     return false;
 }
 
-/* True if the block touches the room and may therefore be the room's own building. */
+/* False if the whole block lies more than 0.5 m outside the plane of a face of the
+ * room. Otherwise the block may be the room's own building. */
 static bool touches_room(const struct pp_world *world, const struct pp_block *block)
 {
     for (int i = 0; i < world->face_count; i++) {

@@ -8,7 +8,7 @@
  *     inside       at the darkest point no sky is visible, or 0.65 or more of the
  *                  daylight factor is the room's average internally reflected component
  *     proportions  the room is more than twice as deep as wide, the limit of the table
- *                  of `bre-min`
+ *                  of `bre-min`, and the report has a value by that method
  *     ground       the ground reflectance differs by 0.3 or more from the value built
  *                  into the method
  *
@@ -58,8 +58,8 @@ const struct pp_reliability_band *pp_reliability_band(enum pp_reliability_kind k
  * the first two kinds are not assessed. */
 struct pp_reliability pp_reliability_of(const struct pp_report *report);
 
-/* Writes the sentence "Hand figures here are not to be relied on: ...", without full
- * stop; empty if the hand methods are reliable. */
+/* Writes the sentence "Do not rely on hand figures here: ...", without full stop; empty
+ * if the hand methods are reliable. */
 void pp_reliability_sentence(const struct pp_reliability *reliability, char *text,
                              size_t size);
 

@@ -9,8 +9,8 @@
 
 #include "studies/study_room.h"
 
-/* True if the receivers are on one straight horizontal line, with at least two
- * different positions. */
+/* True if the receivers are on one straight horizontal line, and the last one is not
+ * where the first one is. */
 bool pp_section_line_is_straight(const struct pp_receiver *receivers, int count);
 
 /* Position of a section. */
@@ -37,7 +37,8 @@ enum pp_status pp_section_place_read(struct pp_section_place *place, const char 
  * wall of the largest window, or along the longer side of a room without windows.
  * Without openings, the line is along the longer side, through the middle of the room.
  * At a given x or y, the line is the longest part within the room. PP_BAD_INPUT if the
- * position is not in the room, or if there is no space for two points. */
+ * position is not in the room, if no opening has that name, or if there is no space for
+ * two points. */
 enum pp_status pp_section_line(struct pp_study_room *room,
                                const struct pp_section_place *place,
                                struct pp_error *err);

@@ -28,7 +28,7 @@ struct pp_sweep {
     struct pp_room_changes now; /* changes of the current run; owned */
 };
 
-/* Number of runs; 1 if there are no axes. */
+/* Number of runs, but at most 2 PP_SWEEP_RUNS_MOST; 1 if there are no axes. */
 int pp_sweep_count(const struct pp_sweep *sweep);
 
 /* Value of an axis in the given run. */

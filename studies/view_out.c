@@ -8,7 +8,7 @@
 #include "model/base/array.h"
 #include "model/geometry/region.h"
 
-/* Lines of sight that end closer than this behind the glass are ignored. */
+/* Lines of sight that end closer than this beyond the glass are ignored. */
 static const double NEAR_M = 2.0;
 /* Ground less than this angle below the horizon is treated as landscape. */
 static const double LANDSCAPE_RAD = 5.0 * PP_RAD;

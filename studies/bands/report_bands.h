@@ -2,8 +2,9 @@
  * report.
  *
  * A room has bands if it is similar to the rooms of the atlas: unfurnished, with a
- * convex plan, under an overcast sky or a sky of ISO 15469 (band_table.h), and with
- * features within the ranges in the atlas.
+ * convex plan, under an overcast sky or a sky of ISO 15469 (band_table.h), without a
+ * contrasting dado, screens or panes that scatter light by direction, on ground that
+ * objects can shade, and with features within the ranges in the atlas.
  */
 #ifndef PP_STUDIES_BANDS_REPORT_BANDS_H
 #define PP_STUDIES_BANDS_REPORT_BANDS_H

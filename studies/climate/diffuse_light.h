@@ -18,8 +18,8 @@ struct pp_diffuse_light {
     enum pp_light_origin origin;
     int count;
     struct pp_diffuse_hour *list; /* owned */
-    int filled;     /* number of hours whose illuminance was calculated from
-                     * irradiance */
+    int filled;     /* PP_LIGHT_ILLUMINANCE: number of hours whose illuminance, missing
+                     * in the file, was calculated from irradiance */
     int missing;    /* number of hours with neither illuminance nor irradiance */
     double total_h; /* total length of all hours, h */
 };
@@ -28,8 +28,9 @@ struct pp_diffuse_light {
  * hour is missing, it is calculated from the diffuse irradiance according to [PISMS90]
  * (luminous_efficacy.h). The same applies to all hours if all illuminances in the file
  * are 0 or missing. The sun's altitude is the mean over the part of the hour in which
- * the sun is above the horizon. PP_BAD_INPUT if the file has no light although the sun
- * is up; file: its name in that message. On success the caller clears *light. */
+ * the sun is above the horizon. PP_BAD_INPUT if no value is known, or if the file has
+ * no light although the sun is up; file: its name in that message. On success the
+ * caller clears *light. */
 enum pp_status pp_diffuse_light_of_epw(struct pp_diffuse_light *light,
                                        const struct pp_epw *epw, const char *file,
                                        struct pp_error *err);

@@ -15,8 +15,8 @@
 enum { PP_SUNSHINE_MONTHS = 12, PP_SUNSHINE_HOURS = 24 };
 
 struct pp_sunshine {
-    bool known; /* false: the file has no direct irradiance, or no record with the sun
-                 * up */
+    bool known; /* false: no record has sunshine, for example because the file has no
+                 * direct irradiance */
     /* Fraction of the records with sunshine among those with the sun above the horizon
      * at their middle; 0 if there are no such records. January is first. Hour 0 begins
      * at solar midnight, hour 12 at noon. */

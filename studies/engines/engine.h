@@ -58,8 +58,8 @@ struct pp_engine {
     const struct pp_engine
         *plain; /* plain implementation that gives the same results; NULL: none */
 
-    /* Creates a run for the report's receivers and working plane, in the diffuse scene
-     * of the world under this environment. *run is set only on success. Scene,
+    /* Creates a run for the report's receivers and working plane, in the grey scene of
+     * the world under this environment. On failure *run is NULL or unchanged. Scene,
      * environment and receivers must exist as long as the run. */
     enum pp_status (*create)(void **run, const struct pp_light_scene *scene,
                              const struct pp_environment *environment,

@@ -11,8 +11,8 @@
  *                              (studies/research/validation/own_world.h), daylight
  *                              factors only
  *
- * Values are in per cent of the open sky's horizontal illuminance, with five
- * significant digits. An empty field is a missing value.
+ * Components are in per cent of the open sky's horizontal illuminance; all values have
+ * five significant digits. An empty field is a missing value.
  */
 #ifndef PP_STUDIES_RESEARCH_ATLAS_ATLAS_COLUMNS_H
 #define PP_STUDIES_RESEARCH_ATLAS_ATLAS_COLUMNS_H
@@ -23,8 +23,8 @@
 
 enum { PP_ATLAS_NAME = 64 }; /* bytes of a column's name at most */
 
-/* The columns of a report: the method of each column, and whether the column has a
- * second one, simulated in the method's own world. */
+/* The columns of a report: component and method of each. A column of daylight factors
+ * has a counterpart, simulated in the method's own world. */
 struct pp_atlas_columns {
     int count;
     struct pp_atlas_method {

@@ -129,7 +129,7 @@ static void put_shape(struct pp_atlas_layout *room)
     PP_SAY(room, "  </envelope>\n");
     if (room->roof == PP_ATLAS_MONO_PITCH)
         room->lowest[PP_ATLAS_NORTH] = fmin(high, 3.5);
-    else /* height of the gable at half of its width */
+    else /* height at which a gable is half as wide as its wall */
         room->lowest[PP_ATLAS_SOUTH] = room->lowest[PP_ATLAS_NORTH] =
             0.5 * (room->eaves + high);
 }

@@ -1,5 +1,5 @@
-/* atlas_mapping.h - maps of a method's error against two properties of rooms, made from
- * the table of an atlas. */
+/* atlas_mapping.h - maps of a method's error against one or two properties of rooms and
+ * points, made from the table of an atlas. */
 #ifndef PP_STUDIES_RESEARCH_ATLAS_ATLAS_MAPPING_H
 #define PP_STUDIES_RESEARCH_ATLAS_ATLAS_MAPPING_H
 

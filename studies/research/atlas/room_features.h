@@ -11,8 +11,9 @@
  *     depth-head      depth of the room from its largest vertical opening, divided by
  *                     the height of that opening's head above the working plane;
  *                     without one, the square root of the floor area divided by the
- *                     mean height of the openings above the plane
- *     depth-width     depth divided by width of the room, seen from that opening
+ *                     height of the middle of the largest opening above the plane
+ *     depth-width     depth divided by width of the room, seen from that opening; 1
+ *                     without one
  *     below           fraction of the openings' area below the working plane
  *     upright         fraction of the openings' area that is vertical (75 degrees or
  *                     more)
@@ -29,7 +30,7 @@
  *                     divided by Eh
  *     opposite        the same for planes that face the openings, such as facades
  *                     across a street
- *     ordinary        1: the properties above from glass-floor to ground are in the
+ *     ordinary        1: ten of the properties above (room_features.c) are in the
  *                     ranges of offices, schools and homes; otherwise 0
  *
  * Features of a point, which are NAN for a room as a whole:

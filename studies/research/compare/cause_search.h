@@ -7,7 +7,8 @@
  *
  * The prior probability of a kind is 0.12 (0.4 for a common factor), shared equally by
  * its causes. If two sets explain the difference equally well, the smaller one is at
- * least seven times as likely.
+ * least seven times as likely, or 1.5 times if the larger one adds only a common
+ * factor.
  *
  * The effect of each single cause is simulated. The effect of a set is first estimated
  * as the sum, in logarithms, of its single effects and of the extra effects of its

@@ -29,8 +29,8 @@ static const double LEAST_EFFECT = 0.001;
 /* Standard deviation that is added to the noise when the uncertainty of a fitted value
  * is calculated. */
 static const double LEAST_NOISE = 0.003;
-/* Number of steps of the golden section search for a fitted value, and number of levels
- * to which the value is rounded, about a thousandth of its range apart. */
+/* Number of steps of the golden section search for a fitted value, and number of equal
+ * steps of its range to which the value is rounded. */
 enum { FIT_STEPS = 16, LEVELS = 800 };
 static const struct pp_known_set *find_known_set(const struct pp_set_effects *effects,
                                                  const int *causes, int count)

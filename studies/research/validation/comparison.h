@@ -4,7 +4,8 @@
  * At the n points i of a room the difference is d_i = method - simulated; s_i is the
  * standard error of the simulated value:
  *
- *     bias    mean d_i, with the standard error sqrt(sum s_i^2) / n
+ *     bias    mean d_i; its standard error follows from the s_i and their correlation
+ *             (common_error.h), and is sqrt(sum s_i^2) / n for independent errors
  *     spread  sqrt(max(0, mean d_i^2 - mean s_i^2)), the root mean square of d_i,
  *             corrected for the simulation's noise
  *     worst   the d_i of the largest magnitude

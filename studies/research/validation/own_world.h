@@ -42,9 +42,9 @@ void pp_own_world_destroy(struct pp_own_worlds *worlds); /* NULL is allowed */
 int pp_own_world_count(const struct pp_own_worlds *worlds);
 
 /* Simulates world `index` at the points of the room's report, as pp_study_report_traced
- * does for the room. The result is stored in the report of this world, or of an equal
- * world. Only direct light is simulated if no column has its internally reflected
- * component from this world. */
+ * does for the room. The result is stored in `report`, the report of this world or of
+ * an equal one. Only direct light is simulated if no column has its internally
+ * reflected component from this world. */
 enum pp_status pp_own_world_trace_one(const struct pp_own_worlds *worlds, int index,
                                       struct pp_report *report,
                                       const struct pp_study_options *options,

@@ -27,8 +27,8 @@ void pp_room_cases_of_engines(struct pp_known_cases *cases, const char *file,
                               const struct pp_report *report);
 
 /* Adds the daylight factors at one point, in the room's group. The limit is three
- * standard errors of the difference, or 1 % of Radiance's result. `world` and `file`
- * must outlive the case. */
+ * standard errors of the difference or 1 % of Radiance's result, whichever is larger.
+ * `world` and `file` must outlive the case. */
 void pp_room_cases_of_radiance(struct pp_known_cases *cases, const char *file,
                                const struct pp_world *world, struct pp_vec3 position,
                                struct pp_reading traced, struct pp_reading radiance);
