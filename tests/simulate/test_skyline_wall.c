@@ -84,8 +84,8 @@ static struct pp_reading (*by_elements(const struct pp_world *world,
     return pp_test_elements(world, light, receivers, POINTS, &options, NULL);
 }
 
-/* Four standard errors of the difference, and 2 % of the daylight factor; the errors of
- * radiosity are limits. */
+/* At most four standard errors of the difference and at most 2 % of the daylight
+ * factor; the errors of radiosity are limits. */
 static void assert_same_light(readings_by *by, const char *windows, double middle_m)
 {
     struct pp_outside_light light;
@@ -126,7 +126,7 @@ static void radiosity_has_the_skyline_as_the_block(void **state)
 }
 
 /* In a narrow street the skyline receives less light than under the open sky: the light
- * of a ground and a face lit by the whole sky would be half as much again. */
+ * of a ground and a face lit by the whole sky would be more than a third higher. */
 static void a_street_is_darker_than_the_open_sky_makes_it(void **state)
 {
     (void)state;

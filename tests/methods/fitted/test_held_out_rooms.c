@@ -5,8 +5,9 @@
 #include "methods/method.h"
 #include "tests/lib/traced_rooms.h"
 
-/* Mean squares of ln(figure/traced), of figure/traced - 1 and of figure - traced, for
- * the darkest quarter of the points, for the other points and for averages. */
+/* Sums of the squares of ln(figure/traced), of figure/traced - 1 and of figure -
+ * traced, for the darkest quarter of the points, for the other points and for
+ * averages. */
 enum { DARK, ELSEWHERE, AVERAGE, PLACES };
 struct errors {
     double sum[PLACES], relative[PLACES], absolute[PLACES];
@@ -98,8 +99,8 @@ static double rms(void **state, int method, int place)
     return sqrt(errors->sum[place] / errors->count[place]);
 }
 
-/* Ratios of mean square errors over all rooms that were held out: 0.37 and 0.28; in the
- * sample 0.38 and 0.30. */
+/* Ratios of RMS errors over all rooms that were held out: 0.37 and 0.28; in the sample
+ * 0.38 and 0.30. */
 static void by_position_the_dark_quarter_has_half_the_error_of_averages(void **state)
 {
     double error = rms(state, IRC_ATLAS, DARK);
@@ -109,11 +110,11 @@ static void by_position_the_dark_quarter_has_half_the_error_of_averages(void **s
     assert_true(rms(state, FLUX_ATLAS, DARK) < 0.5 * rms(state, FLUX, DARK));
 }
 
-/* Over all rooms that were held out, the mean square errors are 0.18 and 0.09 of those
- * of the averages by ratio, and 0.49 and 0.23 by daylight factor. Those of the
- * corrected averages are 0.48, 0.55, 0.45, and 0.24, 0.39, 0.30 by daylight factor. The
- * last value depends mainly on a few bright rooms: it varies by 0.09 between samples of
- * this size, so the limit is two of these above 0.47. */
+/* Over all rooms that were held out, the RMS errors are 0.18 and 0.09 of those of the
+ * averages by ratio, and 0.49 and 0.23 by daylight factor. Those of the corrected
+ * averages are 0.48, 0.55, 0.45, and 0.24, 0.39, 0.30 by daylight factor. The last
+ * value depends mainly on a few bright rooms: it varies by 0.09 between samples of this
+ * size, so the limit is two of these above 0.47. */
 static void position_formulae_beat_averages_by_ratio_and_by_daylight_factor(
     void **state)
 {

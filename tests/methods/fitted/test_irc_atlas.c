@@ -197,7 +197,7 @@ static void without_light_outside_there_is_none_inside(void **state)
 }
 
 /* In a room 1000 m deep no light is left 100 m from the window; at 2.1 m the light is
- * the same as in a much shorter room. */
+ * the same as in a room half as deep. */
 static void no_light_is_left_at_the_back_of_an_infinitely_deep_room(void **state)
 {
     (void)state;
@@ -277,7 +277,7 @@ static void ground_and_obstruction_are_the_rooms(void **state)
         box_room_skyline(&box, 40.0 * PP_RAD, 1.35, INFINITY);
         double obstructed = value_of(all[i], &box, 0, NULL);
         assert_true(obstructed < 0.7 * open);
-        /* As an obstruction with 2.6 times the reflectance gives more. */
+        /* An obstruction with 2.6 times the reflectance gives more. */
         box.skyline.reflectance = 0.52;
         assert_true(value_of(all[i], &box, 0, NULL) > obstructed);
     }

@@ -146,7 +146,7 @@ static void windows_side_by_side_and_opposite_add_up(void **state)
 }
 
 /* A_s/A_w T B M CU: 4 rooflights of 0.5 m2 over 18 m2; h = 1.5, RCR = 5 x 1.5 x 9 / 18
- * = 3.75; clear glass 0.8269. CU(3.75, 0.7, 0.5) is in the table. */
+ * = 3.75; clear glass 0.8269. CU(3.75, 0.7, 0.5) is between 0.50 and 0.75. */
 static void rooflights_have_an_average_only(void **state)
 {
     (void)state;
@@ -190,7 +190,7 @@ static void top_light_loses_what_an_obstruction_hides(void **state)
         "<block x='-40000' y='-1015' width='80000' depth='10' height='1007.35'/>"
         "<point x='1' y='1.8'/>";
     evaluate(&top, "lumen");
-    /* 1005 m above the glass, 1005 to 1009 m away. */
+    /* 1005 m above the glass, 1006 to 1010 m away. */
     assert_relative(column("lumen")->average.value,
                     open * (1.0 + cos(PP_PI / 4.0)) / 2.0, 2e-3);
     done();

@@ -10,7 +10,8 @@
 #include "tests/lib/sized.h"
 #include "tests/lib/traced.h"
 
-/* Ev/Eh, depth, per cent, then a value for each width; NAN: no value. */
+/* Ev/Eh, depth, per cent, then a value for each width; Ev/Eh NAN: light from the
+ * ground. */
 static const double handbook[][11] = {
 #include "tests/methods/lumen/lumen_handbook.inc"
 };

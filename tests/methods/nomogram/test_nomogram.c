@@ -16,8 +16,8 @@
 #include "tests/lib/box_room.h"
 #include "tests/lib/room_of.h"
 
-/* The formula with the rule for obstructions, written independently; input in per cent,
- * result a fraction. */
+/* The formula with the rule R_cw = k R_fw, written independently; C and ground in per
+ * cent, the result a fraction. */
 static double formula(double ratio, double R, double C, double ground, double k)
 {
     double R_fw = 2.0 * R / (1.0 + k), R_cw = k * R_fw;

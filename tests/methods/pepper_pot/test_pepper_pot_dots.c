@@ -69,8 +69,8 @@ static void a_boundless_window_holds_all_dots(void **state)
     }
 }
 
-/* Each dot is in the middle of the light below it and to its left that it
- * represents. */
+/* Mapped to a square of equal light, dot i has the height (i + 1/2) worth/whole and,
+ * across, the fractional part of (i + 1/2) times the golden ratio. */
 static void every_dot_is_where_its_lattice_has_it(void **state)
 {
     (void)state;

@@ -59,7 +59,7 @@ static const struct {
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
 /* Counts for 800 rectangles on each diagram: no bias beyond three standard errors, and
- * a spread of 1.0 to 1.5 dots. */
+ * a spread below 1.7 dots. */
 static void counts_are_unbiased_and_close(void **state)
 {
     (void)state;

@@ -426,8 +426,7 @@ static void dials_agree_with_quadrature(void **state)
     }
 }
 
-/* The closed form of a rectangle overhead, A = B = 1, with one corner above the
- * point. */
+/* Closed forms of rectangles overhead with one corner above the point. */
 static void horizontal_openings_with_a_closed_form(void **state)
 {
     (void)state;
@@ -457,9 +456,9 @@ static void horizontal_openings_with_a_closed_form(void **state)
     }
 }
 
-/* With protractor 10 the plane of the opening does not matter: the sky between the same
- * four corners, in a vertical, a sloping and a horizontal plane. An infinitely long
- * opening in any plane is exact. */
+/* For an infinitely long opening the two sides of the auxiliary scale add up to 1, and
+ * the reading is the difference of two readings of the primary scale, for all ten
+ * protractors. */
 static void an_endless_sloping_strip_is_exact(void **state)
 {
     (void)state;
@@ -482,9 +481,7 @@ static void an_endless_sloping_strip_is_exact(void **state)
     }
 }
 
-/* The halves on both sides of the normal add up to the whole window, and a window to
- * one side of the point is the difference of two readings, if all use the same average
- * altitude. */
+/* Two windows side by side on one side of the point add up to the whole window. */
 static void jambs_on_one_side_are_subtracted(void **state)
 {
     (void)state;
@@ -565,8 +562,8 @@ static void obstructions_before_a_roof_window(void **state)
 }
 
 /* Points below the head, beside the window, with the sill below the point, and close to
- * the pane: the reading is never negative, never more than the sky, and close to
- * `exact` from half a metre on. */
+ * the pane: the reading is never negative, never more than 35 %, and close to `exact`
+ * from half a metre on. */
 static void odd_places_before_a_window(void **state)
 {
     (void)state;

@@ -90,8 +90,7 @@ static void black_parts_reflect_nothing(void **state)
                     1e-6 * 0.1 * k / ceiling, 1e-5);
 }
 
-/* The area of the horizontal section is the sum of the areas seen from above, for a
- * box, and zero above it. */
+/* For a box the horizontal section has the area of the plan, and none above the box. */
 static void section_is_the_plan_of_the_room(void **state)
 {
     (void)state;

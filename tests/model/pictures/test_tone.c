@@ -156,9 +156,9 @@ static void room_and_window_are_both_seen(void **state)
 }
 
 /* An attic of 55 to 170 cd/m2 with some sky in its rooflight, which has 140 times the
- * luminance of the floor. A surface 2.7 times as bright as the corner of the floor is
- * shown at most 2.7 times as bright, and the corner is not black. Tolerance: 5 % over
- * the decade, from trimming. */
+ * luminance of the floor. No luminance is shown with a higher ratio to the corner of
+ * the floor than it has, and the corner is not black. Tolerance: 5 % over the decade,
+ * from trimming. */
 static void contrast_is_never_added(void **state)
 {
     (void)state;
@@ -181,7 +181,7 @@ static void contrast_is_never_added(void **state)
  * twice the two decades of the display. The eye sees steps of 5.6 % everywhere, also on
  * the display, where the same step is half as large, so nothing is trimmed. The curve
  * is the range of the display times the share of darker pixels, 100^(log10(L/100)/4)
- * cd/m2, by [LRP97]. The last bin and its rounding contribute a hundredth. */
+ * cd/m2, by [LRP97]. The last bin and rounding contribute less than 0.2 %. */
 static void evenly_spread_light_is_shown_by_the_closed_form(void **state)
 {
     (void)state;

@@ -260,7 +260,7 @@ static void published_formulae_are_sound(void **state)
 }
 
 /* A worksheet of two parts: quantities by name, with the number of the part in the
- * text. By hand: 0.85 x 2 m2 x 12 % = 20.4 %. */
+ * text. By hand, for part 2: 0.85 x 2 x 12 % x 1 = 20.4 %. */
 static void a_worksheet_works_out_what_it_prints(void **state)
 {
     (void)state;

@@ -199,10 +199,9 @@ static void roughnesses_go_with_their_axes(void **state)
                     pp_gloss_value(even, i_turned, o_turned), 1e-12);
 }
 
-/* A surface that is rough in one direction only is not a mirror. */
-/* Over the hemisphere by quadrature, where the lobe is wide enough for one: the density
- * of directions is 1 in all but for those of slopes whose both facets mirror light down,
- * and it is that of the samples, each of which is worth f' cos o over it. */
+/* For lobes that are wide enough for a quadrature over the hemisphere: the density
+ * integrates to 1 less the share of samples that have no direction above the surface.
+ * The weight of a sample is the lobe times the cosine, divided by the density. */
 static void densities_are_those_of_the_directions_drawn(void **state)
 {
     (void)state;
@@ -233,6 +232,7 @@ static void densities_are_those_of_the_directions_drawn(void **state)
         }
 }
 
+/* A surface that is rough in one direction only is not a mirror. */
 static void a_gloss_is_a_mirror_where_both_roughnesses_vanish(void **state)
 {
     (void)state;

@@ -195,8 +195,9 @@ static void sixty_four_directions_find_the_illuminance_of_a_plane(void **state)
     clear_sunny(&sunny);
 }
 
-/* A window of 2 x 1.4 m, seen from points in the room: its light by 64 directions, of
- * each sampler and of both together, agrees. */
+/* A window of 2 x 1.4 m, seen from points in the room: its light by 1,024 directions,
+ * of which some are to the sun, agrees with that by 131,072 directions to the window
+ * alone. */
 static void a_window_gives_the_same_light_with_directions_to_the_sun(void **state)
 {
     (void)state;

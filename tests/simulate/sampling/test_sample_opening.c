@@ -135,7 +135,7 @@ static void a_long_window_is_guessed_at_near_its_end(void **state)
 static void a_polygon_has_its_configuration_factor(void **state)
 {
     (void)state;
-    /* A sloping triangle and a trapezium that together form a pentagon. */
+    /* A sloping pentagon of three triangles. */
     struct pp_vec3 slope = pp_vec_unit(pp_vec(0.0, 0.5, -1.0));
     struct pp_vec3 along = {1.0, 0.0, 0.0}, over = pp_vec_cross(slope, along);
     struct pp_vec3 origin = {0.7, 1.1, 2.9};
@@ -166,7 +166,7 @@ static void a_polygon_has_its_configuration_factor(void **state)
     }
 }
 
-/* A fifth of the window contributes its own solid angle. */
+/* Each of 5 x 5 parts of the window contributes its own solid angle. */
 static void density_is_right_in_every_part_of_a_rectangle(void **state)
 {
     (void)state;

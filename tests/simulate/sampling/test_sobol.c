@@ -108,8 +108,9 @@ static void one_point_is_uniform_over_the_scrambles(void **state)
     assert_true(chi2 < 119.0);
 }
 
-/* The mean of x y over vertices 0 and 4 is 1/4 if they are independent; the standard
- * deviation of the mean of 2^16 independent products is 0.22 / 2^8. */
+/* The mean of x y over vertex 0 and each of the next eight is 1/4 if they are
+ * independent; the standard deviation of the mean of 2^16 independent products is 0.22
+ * / 2^8. */
 static void vertices_of_a_path_do_not_follow_each_other(void **state)
 {
     (void)state;

@@ -102,7 +102,7 @@ static void rays_meet_what_the_kernels_say(void **state)
     }
 }
 
-/* Exactly: directly above the middle of the floor is the ceiling, or the rooflight. */
+/* Exactly: directly above a point of the floor is the ceiling or the rooflight. */
 static void straight_up_lie_ceiling_and_rooflight(void **state)
 {
     (void)state;

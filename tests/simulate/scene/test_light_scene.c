@@ -348,8 +348,8 @@ static void the_hash_hangs_on_all_that_light_meets(void **state)
                  == hash_of(ROOM "<finish wall='east' reflectance='0.61'/></room>"));
 }
 
-/* A ray far out of single precision's reach of a small thing still goes past or meets
- * it; no crack in a ball of triangles is asked for here, only the sphere. */
+/* A ball of 0.5 m radius 10 km away is met, and a ray that passes 1 m from its centre
+ * misses it. */
 static void a_small_ball_far_away_is_met(void **state)
 {
     (void)state;

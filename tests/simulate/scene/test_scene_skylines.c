@@ -3,8 +3,8 @@
 
 #include "tests/lib/near.h"
 
-/* Without a distance a skyline hides directions that rise less than its angle, times
- * the cosine of the angle to its normal. */
+/* Without a distance a skyline hides directions that rise less than its slope, times
+ * the cosine of the azimuth from its normal. */
 static void a_far_face_hides_directions(void **state)
 {
     (void)state;

@@ -109,8 +109,6 @@ static void a_dado_round_windows_is_cut_into_pieces_without_holes(void **state)
     pp_world_destroy(world);
 }
 
-/* A dado of full height equals the finish of the wall: the same means, except for
- * rounding. A wall's own dado has priority over that of all walls. */
 /* Two doors divide a wall's dado into three pieces. With any number of reveals before
  * them in the list of surfaces, each piece belongs to its wall. */
 static void every_piece_belongs_to_its_wall_however_many_surfaces_there_are(
@@ -143,6 +141,8 @@ static void every_piece_belongs_to_its_wall_however_many_surfaces_there_are(
     }
 }
 
+/* A dado of full height equals the finish of the wall: the same means, except for
+ * rounding. A wall's own dado has priority over that of all walls. */
 static void a_dado_of_full_height_is_the_walls_finish(void **state)
 {
     (void)state;

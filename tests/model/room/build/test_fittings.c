@@ -90,9 +90,8 @@ static double sky_seen(const char *partition, double x, double y)
     return solid_angle;
 }
 
-/* Behind a partition across the whole room no sky is visible. Over one of 2 m the part
- * above the line from the eye over its top is visible: none of a window with its head
- * at 2.4 m, from 0.3 m behind the partition. */
+/* Behind a partition across the whole room no sky is visible. Over one of 1 m a part of
+ * the sky is visible, and in front of the partition all of it. */
 static void a_partition_hides_the_sky_behind_it(void **state)
 {
     (void)state;

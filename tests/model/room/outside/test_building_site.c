@@ -241,9 +241,8 @@ static void a_wall_before_another_room_is_an_inner_one(void **state)
     pp_building_destroy(building);
 }
 
-/* Seen from far below, the ridge of a gable roof hides the same sky as a flat roof of
- * the ridge's height without depth: the sky above the eaves extends down to the
- * altitude of the ridge. */
+/* The ridge of a gable roof hides the same sky as a thin wall of its height in its
+ * place, if the eaves are below the line of sight to the ridge. */
 static void a_roof_hides_sky_up_to_its_ridge(void **state)
 {
     (void)state;

@@ -110,8 +110,8 @@ static void a_facade_opposite_hides_its_rectangle(void **state)
                              - 0.05);
 }
 
-/* Overhang, fin and light shelf of a rotated room, and a screen of its own, calculated
- * independently in the axes of the other room. */
+/* The overhang of a rotated room, and a screen of its own, calculated independently in
+ * the axes of the other room. */
 static void what_a_turned_room_carries_is_turned_with_it(void **state)
 {
     (void)state;

@@ -12,7 +12,7 @@
     "<window wall='south' left='0.9' sill='0.8' width='2.4' height='1.5' "             \
     "reveal='" reveal "'>" inside "</window>"
 
-/* Asserts the extents of a surface that belongs to no face or reveal. */
+/* Asserts the extents of a surface. */
 static void extends(const struct pp_surface *surface, struct pp_vec3 low,
                     struct pp_vec3 high)
 {

@@ -61,8 +61,7 @@ static void a_mono_pitch_roof_is_a_wedge(void **state)
                 0.5 * WIDTH * DEPTH * WIDTH * tan(PITCH), 1e-12);
 }
 
-/* w, l: the shorter and the longer side; the half pyramids at both ends form one
- * pyramid. */
+/* A prism over the ridge; the half pyramids at both ends form one pyramid. */
 static void a_hip_roof_is_a_prism_and_a_pyramid(void **state)
 {
     (void)state;

@@ -209,8 +209,9 @@ static void openings_show_the_sky_of_quadrature(void **state)
     }
 }
 
-/* A receiver a few millimetres from the middle of an unglazed window receives half of
- * the sky's vertical illuminance, since the window nearly fills its view. */
+/* A receiver a few millimetres from the middle of an unglazed window receives the
+ * vertical illuminance from the sky, 0.396 Eh, and half of the ground's 0.3, since the
+ * window nearly fills its view. */
 static void at_the_window_half_the_view_is_sky(void **state)
 {
     (void)state;

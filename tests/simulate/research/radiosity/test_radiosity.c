@@ -354,8 +354,8 @@ static void as_near_a_pane_as_may_be_its_sky_keeps_the_error_that_is_stated(
 
 /* ---- doors and dados ---- */
 
-/* With the colour of the wall, doors and dados do not change the light: near a niche,
- * beside the wall, and on average over the plane. */
+/* With the colour of the wall, doors and dados do not change the light: beside the wall
+ * of the door, farther from the walls, and on average over the plane. */
 static void a_dado_and_a_door_painted_as_the_wall_change_nothing(void **state)
 {
     (void)state;
