@@ -4,8 +4,9 @@
  *
  *     compare_averages [FAMILY [ROOMS]]
  *
- * For every method and class of rooms: bias and rms of the deviation in per cent of the
- * traced value. Rooms are traced to 0.5 % of their average.
+ * For every method and class of rooms: number of rooms, bias and rms of the deviation in
+ * per cent of the traced value, and bias of the sums. Rooms are traced to 0.5 % of their
+ * average.
  */
 #include <math.h>
 #include <stdint.h>

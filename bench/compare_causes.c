@@ -54,7 +54,8 @@ static double normal(uint64_t seed, int number, int what, int more)
            * cos(2.0 * PP_PI * even(seed, number, what + 1, more));
 }
 
-/* Opens the file's first room with MOST_POINTS of its points, evenly selected. */
+/* Opens the file's first room with at most MOST_POINTS of its points, evenly
+ * selected. */
 static void open_room(struct room *room, const char *path)
 {
     char *text = pp_foreign_text_of(path);
@@ -79,8 +80,8 @@ static void open_room(struct room *room, const char *path)
     must(pp_compare_create(&room->compare, &subject, &options, &err), &err);
 }
 
-/* True if the values differ from the values traced without a cause by more than
- * noise. */
+/* True if the values differ from the values traced without a cause by more than the
+ * noise and by more than LEAST_EFFECT. */
 static bool differs(const struct room *room, const double *values, double sigma)
 {
     double sum = 0.0;
@@ -119,8 +120,8 @@ static int draw_causes(int causes[PP_CAUSE_SEARCH_MOST], const struct room *room
     const struct pp_cause *const *list;
     int count = pp_compare_causes(room->compare, &list), drawn = 0;
     for (int attempt = 0; drawn < wanted && attempt < 100; attempt++) {
-        /* Draws a kind first, then a cause of this kind, so that all kinds are equally
-         * likely. */
+        /* Accepts a cause with a probability inversely proportional to the number of
+         * causes of its kind, so that all kinds are equally likely. */
         int at = (int)(count * even(seed, number, 2, attempt)), alike = 0;
         bool fits = true;
         for (int i = 0; i < count; i++)

@@ -111,7 +111,7 @@ static void add_wall(struct pp_scene_description *scene, int material,
     must(pp_scene_description_add_polygon(scene, v, 4, material, NULL, &err), &err);
 }
 
-/* A corner of a room with a brass sphere on a block, under a square lamp. */
+/* A room with a brass sphere on a block, under a square lamp. */
 static struct pp_light_scene *lamp_room(struct pp_material lamp)
 {
     struct pp_scene_description from;
@@ -197,13 +197,12 @@ static void window_pictures(const char *folder)
 
 /* ---- a copper sphere ---- */
 
-/* Optical constants, roughness and correlation length as in docs/elements/material.md,
- * but smoother. */
+/* Optical constants of copper as in docs/elements/material.md, with less roughness. */
 static const struct pp_rough_optics copper = {
     {0.21, 1.04, 1.18}, {3.67, 2.59, 2.40}, {0.65, 0.55, 0.45}, 0.18, 3.0,
     {0.0, 0.0, 0.0}};
 
-/* A sphere of that material on a table with two rows of tiles, over dark ground, under
+/* A sphere of that material on a table of light and dark tiles, over dark ground, under
  * an overcast sky. */
 static struct pp_light_scene *sphere_on_table(struct pp_material metal)
 {

@@ -192,7 +192,7 @@ static void normal(const struct pp_fit_model *model, const struct pp_fit_rooms *
 }
 
 /* Makes one damped step. The damping grows until the step reduces the cost; false if no
- * step does. */
+ * step does, or if it no longer matters. */
 static bool step_on(struct pp_fit_model *model, const struct pp_fit_rooms *rooms,
                     const int *times, double *damping, double *cost)
 {

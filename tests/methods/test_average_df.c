@@ -121,8 +121,8 @@ static void glass_below_the_working_plane_can_be_left_out(void **state)
 }
 
 /* Calculated by hand, 4 x 6 x 3 m, a horizontal pane of 1.1 x 0.7 m, T 0.68: R = (24 *
- * 0.2 + 60 * 0.5 + 23.23 * 0.7 + 0.077) / 108 = 0.473639, DF = 0.68 * 0.77 * 180 / (108
- * (1 - R^2)) = 1.12500 %. */
+ * 0.2 + 60 * 0.5 + 23.23 * 0.7 + 0.077) / 108 = 0.473500, DF = 0.68 * 0.77 * 180 / (108
+ * (1 - R^2)) = 1.12486 %. */
 static void level_glass_sees_180_degrees_of_sky(void **state)
 {
     (void)state;

@@ -120,8 +120,8 @@ static void pairs_are_the_sum_of_their_parts_at_points_and_on_average(void **sta
     pp_world_destroy(world);
 }
 
-/* Ratio of each method's value at the first point (or for the room) to the value with
- * the plain window, for all columns. */
+/* Asserts the ratio of each method's values, at the first point and on average, to
+ * those with the plain window. */
 static void assert_all_scale(const char *attributes, double direct, double internal,
                              double whole)
 {
@@ -306,7 +306,7 @@ static void an_uncovered_sky_is_reported_without_an_opening(void **state)
     pp_world_destroy(world);
 }
 
-/* No table covers a point on a wall, but the averages of the room remain. */
+/* No table covers an upright point, but the other point and the average remain. */
 static void a_receiver_that_is_not_covered_leaves_the_others(void **state)
 {
     (void)state;

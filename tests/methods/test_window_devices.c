@@ -1,5 +1,5 @@
-/* test_window_devices.c - blinds, screens and curtains in hand methods, and screens and
- * curtains in the tracer. */
+/* test_window_devices.c - blinds, screens and curtains in hand methods, and screens in
+ * the tracer. */
 #include "methods/evaluate.h"
 #include "methods/method.h"
 #include "model/light/slats/blind.h"
@@ -64,7 +64,7 @@ static void a_screen_passes_its_open_share_in_every_method(void **state)
     assert_true(compare_rooms("", "<screen openness='0.13'/>", 0.13) >= 20);
 }
 
-/* 0.82689644 is the transmittance of clear single glass for diffuse light. */
+/* A pane that transmits 0.37 of the diffuse light that the glass transmits. */
 static void a_curtain_makes_the_window_a_diffusing_pane(void **state)
 {
     (void)state;

@@ -79,9 +79,8 @@ static void direct_share_is_the_light_followed_to_the_plane(void **state)
     }
 }
 
-/* If the foot of a well is very small and far below the glass, it shows the plane only
- * a small part of the light: all of this light falls on the plane, or none if the plane
- * is to one side. A wide foot does not limit the light. */
+/* All light that leaves a deep well falls on the plane below it, and none on a plane to
+ * one side. */
 static void light_through_a_well_falls_where_the_foot_lets_it(void **state)
 {
     (void)state;
@@ -106,7 +105,7 @@ static void light_through_a_well_falls_where_the_foot_lets_it(void **state)
 }
 
 /* Light followed from zone to zone for 3,000 reflections in a box of 4.1 x 6.3 x 3.2 m,
- * compared with the formulae; no light is lost. */
+ * compared with the formulae; in the end all light is absorbed. */
 static void efficiency_is_the_light_followed_from_zone_to_zone(void **state)
 {
     (void)state;
@@ -176,12 +175,12 @@ static void black_room_has_the_direct_light_alone(void **state)
     assert_int_equal(
         pp_plane_light_direct(mean, beams, &light, slit, &slit->glass, NULL), PP_OK);
     pp_beams_destroy(beams);
-    /* The plate in the wall reflects 0.1 and is a third of a per cent of the walls. */
+    /* The opening reflects 0.1, but it is less than 0.1 % of the walls. */
     assert_relative(part.value, mean[0], 0.006);
     pp_world_destroy(world);
 }
 
-/* In a white room all entering light reaches the plane, several times: all shares are
+/* If walls and ceiling are white, all light above the plane reaches it: all shares are
  * 1. */
 static void white_room_loses_nothing_above_the_plane(void **state)
 {

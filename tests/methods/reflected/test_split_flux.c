@@ -85,7 +85,7 @@ static void one_colour_and_equal_halves_give_2rho_over_1_plus_rho_of_a_sphere(
 }
 
 /* An unglazed rooflight above a black floor and black walls: light falls down and none
- * is reflected. With white surfaces the result is eq. 9 with C = 1. */
+ * is reflected. With reflecting surfaces the result is eq. 9 with C = 1. */
 static void rooflight_lights_the_floor_with_the_whole_sky(void **state)
 {
     (void)state;

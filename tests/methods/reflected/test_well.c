@@ -24,8 +24,8 @@ static void black_cube_lets_its_form_factor_through(void **state)
 }
 
 /* A deep black shaft transmits light only within the solid angle of its top. The zenith
- * of the overcast sky is 9/7 of its mean; through glass the factor is 0.900 over 0.827,
- * the diffuse transmittance. */
+ * of the overcast sky is 9/7 of its mean; glass raises the efficiency by at most 0.900
+ * over 0.827, its normal over its diffuse transmittance. */
 static void deep_black_shaft_shows_the_zenith(void **state)
 {
     (void)state;

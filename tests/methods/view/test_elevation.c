@@ -5,7 +5,7 @@
 
 #include "tests/lib/room_of.h"
 
-/* A block 6.3 m high beside the room, from 4.2 m in front of the window's plane to
+/* A block 2.3 m high beside the room, from 4.2 m in front of the window's plane to
  * `back` (m; below 0: in front of the plane). */
 static struct pp_world *beside_block(double back)
 {

@@ -50,7 +50,7 @@ static double area_of(const struct pp_fragments *fragments, int owner)
     return sum;
 }
 
-/* The number of outlines in all cells. */
+/* The number of cells, and the most outlines in one of them. */
 struct seen {
     const struct leaves *leaves;
     int cells, most;

@@ -128,7 +128,7 @@ static void a_partition_inside_hides_light_and_emits_none(void **state)
     pp_world_destroy(bare);
 }
 
-/* Objects close to the glass but beside it, behind the point, or below the sill hide
+/* A block behind the room, a block below the sill and a surface behind the point hide
  * nothing. */
 static void objects_out_of_the_way_change_nothing(void **state)
 {
@@ -231,7 +231,8 @@ static void a_skyline_at_a_distance_is_a_long_wall_there(void **state)
     pp_world_destroy(wall);
 }
 
-/* Through a reveal as deep as the opening is wide, nothing is visible from the side. */
+/* Through a reveal less is visible, and nothing from beside the window, close to its
+ * wall. */
 static void a_reveal_narrows_the_view(void **state)
 {
     (void)state;
@@ -462,7 +463,7 @@ static void assert_sum_of_pieces(const char *before, double x, double z)
     "<vertex x='0.2' y='-1' z='1.5'/></surface>"
 
 /* Smooth illuminance, with kinks and with a jump: a block whose top and side are in
- * line with the pane, a shelf 0.1 m in front of it, a shelf that touches it, and a fin
+ * line with the pane, a shelf 0.2 m in front of it, a shelf that touches it, and a fin
  * that touches it. */
 static void a_pane_lit_unevenly_is_the_sum_of_its_pieces(void **state)
 {
@@ -481,7 +482,7 @@ static void a_pane_lit_unevenly_is_the_sum_of_its_pieces(void **state)
 
 /* The illuminance of the pane, calculated once for the room or for the receiver, is
  * identical. The approximate rule of averages is as accurate as stated in method.h,
- * from 0.1 m to the back. */
+ * from 0.1 to 2.75 m. */
 static void an_uneven_pane_is_the_same_prepared_and_roughly(void **state)
 {
     (void)state;

@@ -23,9 +23,9 @@ static double at(const struct pp_world *world, const struct pp_outside_light *li
     return part.sky;
 }
 
-/* A roof window at any slope, a horizontal rooflight or a window, with single and
- * double glass, at 300 random points: no bias beyond three standard errors, and errors
- * of at most half a square. */
+/* A roof window with a slope of up to 63 degrees or a window, with single, double or no
+ * glass, at 300 random points: no bias beyond three standard errors, and errors of at
+ * most half a square. */
 static void squares_under_the_overlay_are_exact_and_unbiased(void **state)
 {
     (void)state;

@@ -159,7 +159,7 @@ static void assert_joined(struct pp_waldram_site *site, double exact, double who
 }
 
 /* The rounding of squares is carried over, which leaves an error of 0.05 squares; 80
- * marks of 0.5 % have an error of about one mark. */
+ * marks of 0.5 % leave an error of less than three marks. */
 static void areas_of_random_sites_are_their_vertical_sky_component(void **state)
 {
     (void)state;

@@ -42,7 +42,7 @@ static void the_sun_s_bearing_is_from_true_north(void **state)
 }
 
 /* Snow and a clear sky do not change the geometry: the two worlds have identical
- * surfaces, openings and receivers. */
+ * surfaces. */
 static void rooms_that_differ_in_light_have_one_world(void **state)
 {
     (void)state;

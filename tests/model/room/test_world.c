@@ -256,8 +256,7 @@ static void what_lies_flush_with_a_wall_is_set_off_it(void **state)
         for (int k = 0; surface->role == PP_BLOCK && k < 4; k++)
             least = fmin(least, surface->outline.vertices[k].x - 4.3);
     }
-    /* The other sides of the niche still begin in the plane of the wall, seen
-     * edge-on. */
+    /* The other sides of the block still begin in the plane of the wall. */
     assert_near(least, 0.0, 1e-12);
     const struct pp_surface *flush = NULL;
     for (int i = 0; i < world->surface_count; i++)

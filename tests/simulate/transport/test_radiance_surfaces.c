@@ -37,10 +37,10 @@ static void a_closed_white_box_neither_gains_nor_loses_light(void **state)
                noise * 5e-3);
 }
 
-/* With any roughness and at any angle: facing the floor, oblique and grazing. An albedo
- * of rho (1 + e) gives 1 + e rho/(1 - rho): for rho of 0.8 the 0.3 % of gloss.h count
- * four times, less if part of the light is diffuse. With a roughness above 0.5 weights
- * vary, and paths with many reflections are noisy: 0.5. */
+/* With roughnesses of 0.05 to 1, facing the floor, obliquely and grazing. An albedo of
+ * rho (1 + e) gives 1 + e rho/(1 - rho): for rho of 0.8 the 0.3 % of gloss.h count four
+ * times, less if part of the light is diffuse. With a roughness above 0.5 weights vary,
+ * and paths with many reflections are noisy: 0.5. */
 static void a_closed_glossy_box_neither_gains_nor_loses_light(void **state)
 {
     (void)state;
@@ -65,9 +65,9 @@ static void a_closed_glossy_box_neither_gains_nor_loses_light(void **state)
 
 /* ---- gloss ---- */
 
-/* A brushed sheet below a square lamp, seen obliquely. The light is the same if the
- * lamp is sampled directly (a small lamp) or found by directions of the gloss (a large
- * lamp). */
+/* A brushed sheet below a square lamp, seen obliquely. The light of a small and of a
+ * large lamp is the same if the lamp is sampled directly or found by directions of the
+ * gloss. */
 static void a_gloss_shows_the_same_lamp_aimed_at_and_found(void **state)
 {
     (void)state;
@@ -104,8 +104,9 @@ static void a_gloss_shows_the_same_lamp_aimed_at_and_found(void **state)
 }
 
 /* A matt ceiling above polished metal, under a sun with a half angle of 8 degrees, or a
- * lamp. Light reflected by the metal is sampled by its gloss, found by rays of the
- * ceiling, or both, weighted: the light is the same, with less than half the error. */
+ * lamp. Light reflected by the metal is sampled by its gloss or found by rays of the
+ * ceiling: the light is the same, sampled with less than half the error for the same
+ * number of paths. */
 static void metal_throws_the_same_light_sampled_and_found(void **state)
 {
     (void)state;

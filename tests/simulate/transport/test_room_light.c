@@ -90,7 +90,7 @@ static void room_with_a_wall_close_to_its_window_is_as_traced(void **state)
 }
 
 /* Two windows that see each other outside, reveals, frames, dirt, a diffusing
- * rooflight, a partition, a surface that glows. */
+ * rooflight, a partition that glows. */
 static void room_with_all_kinds_of_openings_is_as_traced(void **state)
 {
     (void)state;
@@ -270,9 +270,8 @@ static void light_through_two_windows_falls_on_objects_outside(void **state)
     pp_world_destroy(world);
 }
 
-/* A room in equilibrium with a white sky and ground, whose surfaces emit the share that
- * they do not reflect, with any gloss, and windows sampled directly or found by random
- * paths: all values are 1. */
+/* A room in equilibrium with a white sky and ground, whose matt and glossy surfaces
+ * emit the share that they do not reflect: all radiances are 1 / pi. */
 static void a_room_in_equilibrium_shows_one_everywhere(void **state)
 {
     (void)state;
@@ -401,8 +400,8 @@ static struct pp_irradiance straight_in(const char *xml, bool stored,
 }
 
 /* A skyline 1 m in front of a diffusing pane leaves little sky for its lower half. An
- * average over the pane gave half as much again near it, and a quarter less far away.
- * Compared with exact integration; 1024 x 64 directions are accurate to 1 %. */
+ * average over the pane would be half as much again near it, and a quarter less far
+ * away. Compared with exact integration; 1024 x 64 directions are accurate to 1 %. */
 static void a_diffusing_pane_is_lit_from_point_to_point(void **state)
 {
     (void)state;
@@ -419,7 +418,7 @@ static void a_diffusing_pane_is_lit_from_point_to_point(void **state)
 }
 
 /* A bright shelf that touches the window, in front of a dark wall: objects nearer than
- * the patches can resolve are not stored. With the store the result was 7.6 % too
+ * the patches can resolve are not stored. If they were, the result would be 7.6 % too
  * high. */
 static void things_at_the_window_are_not_stored(void **state)
 {
@@ -440,7 +439,7 @@ static void things_at_the_window_are_not_stored(void **state)
     assert_relative(stored, followed, 0.025);
 }
 
-/* The store is identical for any number of threads. */
+/* The store is identical for one thread and for three. */
 static void the_store_does_not_depend_on_threads(void **state)
 {
     (void)state;

@@ -62,7 +62,7 @@ static void a_skyline_reflects_half_the_sky_its_sun_and_the_ground(void **state)
     pp_world_destroy(world);
 }
 
-/* Hours without light, and those of a sun below the horizon, give nothing. */
+/* Only the diffuse light remains. */
 static void a_sun_below_the_horizon_gives_no_light(void **state)
 {
     (void)state;

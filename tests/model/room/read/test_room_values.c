@@ -115,7 +115,7 @@ static void excerpts_are_short_and_plain(void **state)
     endless[sizeof endless - 1] = '\0';
     assert_int_equal(strlen(pp_text_excerpt(text, sizeof text, endless)), 43);
     assert_string_equal(pp_text_excerpt(little, sizeof little, "ääää"), "ää...");
-    /* Bytes that are not valid UTF-8 end the excerpt too. */
+    /* A letter that is cut off is not read beyond the end of the text. */
     assert_int_equal(strlen(pp_text_excerpt(text, sizeof text, "\xE2")), 1);
 }
 

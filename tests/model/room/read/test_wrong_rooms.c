@@ -6,7 +6,7 @@
  *    srcdir=FOLDER test_wrong_rooms --write TITLE        writes that room to standard output
  *    srcdir=FOLDER test_wrong_rooms --write-all FOLDER   writes every room, as TITLE.xml
  *
- * with - instead of the blanks of a title.
+ * A file name has - instead of the blanks of a title.
  */
 #include <stdbool.h>
 #include <stdio.h>
@@ -45,7 +45,7 @@ static struct verdict verdict_on(const char *bytes, size_t length)
     return verdict;
 }
 
-/* As above; fails if the XML library writes to the terminal. */
+/* As above; fails if anything is written to standard error. */
 static struct verdict silent_verdict_on(const struct wrong_room *room)
 {
     FILE *said = tmpfile();
@@ -65,8 +65,8 @@ static struct verdict silent_verdict_on(const struct wrong_room *room)
     return verdict;
 }
 
-/* There must be one mistake; but an envelope that is not closed may have several, one
- * for each edge. */
+/* There must be one mistake; only a room of WRONG_SENSE may have several, all with the
+ * expected words: an envelope that is not closed has one for each edge. */
 static bool is_as_expected(const struct verdict *verdict, const struct wrong_room *room)
 {
     const struct pp_mistakes *mistakes = &verdict->mistakes;
