@@ -43,14 +43,16 @@ function drawBands(plan, plane, to) {
     })];
 }
 
-function drawContours(plan, to) {
+// taken: places of the screen that labels leave free.
+function drawContours(plan, to, taken) {
     if (!plan) return [];
     const labels = [];
+    const isFree = (x, y) => !labels.some((l) => Math.abs(l.x - x) < 44 && Math.abs(l.y - y) < 16) && !taken.some((t) => Math.abs(t[0] - x) < 26 && Math.abs(t[1] - y) < 16);
     const lines = plan.contours.map((c) => {
         const points = pairsOf(c.xy).map(to);
-        const [x, y] = points[Math.floor(points.length / 2)];
+        const place = [0.5, 0.35, 0.65, 0.2, 0.8].map((share) => points[Math.floor(share * (points.length - 1))]).find(([x, y]) => isFree(x, y));
         const length = points.reduce((sum, q, i) => (i ? sum + Math.hypot(q[0] - points[i - 1][0], q[1] - points[i - 1][1]) : 0), 0);
-        if (length > 45 && !labels.some((l) => Math.hypot(l.x - x, l.y - y) < 26)) labels.push({ x, y, level: c.level });
+        if (length > 45 && place) labels.push({ x: place[0], y: place[1], level: c.level });
         return s('path', { class: 'contour', d: pathOf(points, c.closed) });
     });
     const noSky = plan['no-sky'].map((c) => s('path', { class: 'no-sky', d: pathOf(pairsOf(c.xy).map(to), c.closed) }));
@@ -82,6 +84,17 @@ function drawOpenings(scene, to) {
         const inner = pointsOf(opening.inner).map(to), outer = pointsOf(opening.outer).map(to);
         const isFlat = opening.slope < 85;
         return pickable(element, s('path', { class: isFlat ? 'glass flat' : 'glass', d: pathOf(inner, true) + pathOf(outer, true) }));
+    });
+}
+
+// Places along the openings, 0.25 m or less apart.
+function openingsAlong(scene) {
+    return scene.openings.flatMap((o) => {
+        const corners = pointsOf(o.inner);
+        return corners.flatMap((a, i) => {
+            const b = corners[(i + 1) % corners.length], count = Math.ceil(Math.hypot(b[0] - a[0], b[1] - a[1]) / 0.25) || 1;
+            return Array.from({ length: count }, (_, k) => [a[0] + (b[0] - a[0]) * k / count, a[1] + (b[1] - a[1]) * k / count]);
+        });
     });
 }
 
@@ -144,10 +157,11 @@ export function createPlanView(svg, scaleOf) {
         const mapping = mappingOf(bounds, width, height, scale);
         const to = mapping.toScreen;
         drawn = { name: 'plan', ...mapping, handles: handlesOf('plan', board.element, scene) };
+        const taken = [...drawn.handles.map((h) => to(h.at)), ...openingsAlong(scene).map(to)];
         svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
         replaceChildren(svg,
             s('title', {}, `Plan of ${board.roomName || 'the room'}`),
-            drawOutside(scene, to), drawBands(plan, scene.plane, to), drawRoom(scene, to), drawContours(plan, to),
+            drawOutside(scene, to), drawBands(plan, scene.plane, to), drawRoom(scene, to), drawContours(plan, to, taken),
             drawOpenings(scene, to), drawPoints(scene, to), drawCut(drawn), drawNorth(scene), drawScale(scale, width, height), drawHandles(drawn));
     };
 }

@@ -48,7 +48,8 @@ function drawValue(element, [name, unit, choices]) {
         input.value = String(Number((number + step * by).toFixed(3)));
         setValue(board.elements[element.index], name, input.value);
     });
-    return h('div', { class: 'value' }, h('label', { for: id }, name), h('span', { class: 'field' }, input, unit && h('span', { class: 'unit' }, unit)),
+    const isWide = choices?.some((c) => c.length > 10);
+    return h('div', { class: isWide ? 'value wide' : 'value' }, h('label', { for: id }, name), h('span', { class: 'field' }, input, unit && h('span', { class: 'unit' }, unit)),
         choices && h('datalist', { id: `${id}-list` }, choices.map((c) => h('option', { value: c }))));
 }
 

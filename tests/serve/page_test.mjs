@@ -162,7 +162,9 @@ await page.select('#download', 'room');
 const saved = await (async () => {
     for (let i = 0; i < 50; i++) {
         const file = readdirSync(folder).find((f) => f.endsWith('.xml'));
-        if (file) return readFileSync(join(folder, file), 'utf8');
+        // Chromium reserves the name by an empty file, and replaces that by the complete one.
+        const content = file ? readFileSync(join(folder, file), 'utf8') : '';
+        if (content) return content;
         await new Promise((done) => setTimeout(done, 100));
     }
     return null;
@@ -216,6 +218,7 @@ await page.evaluate(() => { window.pepperpot.board.pointer = [1.5, 2]; });
 await page.select('#year-of', 'pointer');
 check('the position under the pointer has its own map', await until(() => /^Simulated at 1.5, 2 m/.test(document.getElementById('year-state').textContent)));
 await page.select('#year-error', '1');
+await until(() => document.getElementById('year-button').textContent === 'Stop');
 await page.click('#year-button');
 check('the year stops', await until(() => document.getElementById('year-state').textContent === 'Stopped' && document.getElementById('year-button').textContent === 'Simulate'));
 if (process.env.SHOTS) await shots('year');
