@@ -1,7 +1,7 @@
 #!/bin/sh
 # build_fuzzers.sh SOURCE ... - builds the libFuzzer targets tests/fuzz/fuzz_*.c with the given
 # sources of the program, and a corpus of seeds for each, in tests/fuzz/built of the build
-# folder. `make fuzz` calls it; FLAGS, LIBS, FUZZ_CC and srcdir come from there.
+# folder. `make fuzz` calls it; FLAGS, LIBS, SERVER_LIBS, FUZZ_CC and srcdir come from there.
 set -eu
 built=tests/fuzz/built
 flags="-g -O1 -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all $FLAGS"
@@ -76,6 +76,36 @@ printf '%s\n' -p 1,2 --sky=iso-12,30,90 --set window.W1.width=1.4 --sweep plan.d
 printf '%s\n' --time 500ms -sqm exact+bre --sweep window.sill=.8,1 --room A --state existing -- -x \
     >"$options/short"
 printf '0.85 W / (A (1 - R_fw)) (1 + 5 sin(theta)) + min(W, 2) / A' >"$(corpus formula)/sum"
+requests=$(corpus request)
+# request NAME PATH BODY [HEADER ...]: writes a seed.
+request() {
+    name=$1
+    body=$3
+    first="POST $2"
+    shift 3
+    printf '%s\n' "$first" 'Content-Type: application/json' 'X-Pepperpot-Page: a' "$@" '' "$body" >"$requests/$name"
+}
+office=$(tr '"\n' "' " <"$srcdir/examples/deep-office.xml")
+cell='<room version=\"1\"><plan width=\"3\" depth=\"4\" height=\"3\"/><window wall=\"south\" left=\"1\" sill=\"1\" width=\"1\" height=\"1\"/></room>'
+for path in df plan check; do
+    request "$path" "/api/$path" "{\"room\":\"$office\"}"
+done
+request df-options /api/df "{\"room\":\"$cell\",\"options\":{\"methods\":\"exact+bre,protractor+bre\",\"points\":[[1.5,3],[1,1,0.8]],\"sky\":\"iso-12,40,180\",\"format\":\"csv\"}}"
+request df-explain /api/df "{\"room\":\"$cell\",\"options\":{\"points\":[[1,1]],\"explain\":true,\"formula\":\"irc = 0.8 W / A\",\"room\":\"a\"}}"
+request plan-tolerance /api/plan "{\"room\":\"$cell\",\"options\":{\"tolerance\":0.1,\"methods\":\"exact+bre\"}}"
+request trace /api/trace "{\"room\":\"$cell\",\"options\":{\"error\":20,\"samples\":16,\"seed\":2}}"
+request chart /api/chart/waldram "{\"room\":\"$cell\",\"options\":{\"format\":\"pdf\",\"points\":[[1,1]]}}"
+request annual /api/annual "{\"room\":\"$cell\",\"options\":{\"weather\":\"0\",\"error\":5,\"lighting\":[\"dimmed\",\"manual\"]}}"
+request render /api/render "{\"room\":\"$cell\",\"options\":{\"size\":\"64x48\",\"from\":[1,1,1]}}"
+request report /api/report "{\"room\":\"$cell\",\"options\":{\"by-hand\":true}}" 'Accept: text/html'
+request import /api/import '{"gbxml":"<gbXML/>"}'
+request wrong /api/check '{"room":"<room version=\"1\"><plan width=\"x\"/><widow/></room>"}'
+printf '%s\n' 'POST /api/weather' 'Content-Type: application/octet-stream' '' \
+    'LOCATION,Brussels,-,BEL' >"$requests/weather"
+printf '%s\n' 'GET /api/room' 'Authorization: Bearer k' 'Sec-Fetch-Site: same-origin' >"$requests/room"
+printf '%s\n' 'GET /index.html' 'Origin: http://127.0.0.1' >"$requests/page"
+printf '%s\n' 'GET /api/jobs/0123456789abcdef0123456789abcde' >"$requests/job"
+printf '%s\n' 'GET /..%2f..%2fetc/passwd?a=b&c' 'Host: [::1]:80' 'Cookie: a=b' >"$requests/path"
 
 # An archive: each target links only the objects that it needs.
 rm -f "$built/objects.a"
@@ -86,13 +116,18 @@ for source in "$srcdir"/tests/fuzz/fuzz_*.c; do
     kind=${name#fuzz_}
     seeds=$(corpus "$kind")
     wrap=
+    own_libs=$LIBS
     # These readers open files; the fuzzer replaces the function that reads them.
     case $kind in
     rad) wrap=-Wl,--wrap=pp_read_file_regular ;;
     values | atlas) wrap=-Wl,--wrap=pp_read_file ;;
+    request)
+        own_libs=$SERVER_LIBS
+        [ -f "$built/objects/http_request.o" ] || continue # built without libmicrohttpd
+        ;;
     esac
     # shellcheck disable=SC2086 # words
-    $FUZZ_CC $flags -fsanitize=fuzzer $wrap -o "$built/$name" "$source" "$built/objects.a" $LIBS
+    $FUZZ_CC $flags -fsanitize=fuzzer $wrap -o "$built/$name" "$source" "$built/objects.a" $own_libs
     words=
     [ ! -f "$srcdir/tests/fuzz/$name.dict" ] || words="-dict=$srcdir/tests/fuzz/$name.dict"
     echo "run it: $built/$name -max_total_time=600 -max_len=24000 $words $seeds"
