@@ -95,7 +95,7 @@ int pp_thread_pool_size(const struct pp_thread_pool *pool)
 }
 
 /* Runs indices until none are left. After an index has stopped the work no further
- * index starts, but indices already started are finished. */
+ * batch starts, but batches already started are finished. */
 static void run_indices(struct pp_thread_pool *pool, int worker)
 {
     while (!atomic_load(&pool->stopped)) {

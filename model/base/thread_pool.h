@@ -20,7 +20,7 @@
 struct pp_thread_pool;
 
 /* Creates a pool of `threads` workers; 0 or less: one per processor that this process
- * may use. If a thread cannot be started the pool is smaller. */
+ * may use. If a thread cannot be started, fewer workers share the work. */
 enum pp_status pp_thread_pool_create(struct pp_thread_pool **pool, int threads,
                                      struct pp_error *err);
 void pp_thread_pool_destroy(struct pp_thread_pool *pool); /* NULL is allowed */
@@ -29,7 +29,8 @@ void pp_thread_pool_destroy(struct pp_thread_pool *pool); /* NULL is allowed */
 int pp_thread_pool_size(const struct pp_thread_pool *pool);
 
 /* Work for one index. `worker`, from 0 to the pool's size - 1, differs between
- * simultaneous calls. Returning false stops the work: no further index is started. */
+ * simultaneous calls. Returning false stops the work: no further index is started,
+ * except those that a worker has already taken. */
 typedef bool pp_thread_pool_work(void *data, int worker, int index);
 
 /* Runs the indices [first, end). Returns the index after the last one started, once all

@@ -6,7 +6,8 @@
  *               OVER    nothing more will be assigned
  *     rank n    DONE    an index with its result, or its error
  *
- * Only one thread sends and receives messages and assigns work; the others compute.
+ * On rank 0 one thread sends and receives messages and assigns work to the other ranks;
+ * the other threads take indices and compute.
  */
 #include "model/base/work_ranks.h"
 
@@ -66,7 +67,7 @@ struct leading {
     const struct pp_work_queue *queue;
     struct pp_work_results *results; /* access needs the pool's lock */
     struct pp_thread_pool *pool;
-    int threads;           /* threads of rank 0 and all ranks that have asked */
+    int threads;           /* of all ranks, if each has as many as rank 0 */
     enum pp_status status; /* status of messages */
     struct pp_error err;
 };
@@ -189,8 +190,8 @@ static void work_for_rank_0(struct leading *leading, int worker)
     }
 }
 
-/* Task of the pool: the calling thread assigns indices, the others compute, until all
- * are done. */
+/* Task of the pool: the calling thread assigns indices to other ranks, the others
+ * compute, until all are done. */
 static bool lead_or_work(void *data, int worker, int index)
 {
     struct leading *leading = data;

@@ -16,7 +16,7 @@ static bool is_clear_of_edge(const struct pp_region *region, double margin, doub
 }
 
 /* Index of the cell with is_point, in column i and row j or next to it, whose centre is
- * nearest to (x, y) in units of cells; -1: none. */
+ * nearest to the point (x, y), given in columns and rows; -1: none. */
 static int nearest_point(const bool *is_point, const struct pp_cell_grid *grid, int i,
                          int j, double x, double y)
 {

@@ -24,8 +24,8 @@ void pp_clipper_destroy(struct pp_clipper *clipper); /* NULL is allowed */
 void pp_clipper_set_grid(struct pp_clipper *clipper, double grid);
 
 /* Makes the region enclosed by one ring of either direction. It is empty if the ring
- * has fewer than three points or no area. PP_BAD_INPUT for a ring that crosses
- * itself. */
+ * has fewer than three points or no area. PP_BAD_INPUT for a ring that touches or
+ * crosses itself. */
 enum pp_status pp_clipper_of_ring(struct pp_clipper *clipper, struct pp_region *region,
                                   const double (*xy)[2], int count,
                                   struct pp_error *err);

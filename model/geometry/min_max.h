@@ -1,5 +1,5 @@
-/* min_max.h - maximum, minimum and clamp of numbers, inline. Unlike fmax and fmin they
- * do not skip a NaN argument. */
+/* min_max.h - maximum, minimum and clamp of numbers, inline. If an argument is NaN,
+ * pp_max and pp_min return the second one, unlike fmax and fmin. */
 #ifndef PP_MODEL_GEOMETRY_MIN_MAX_H
 #define PP_MODEL_GEOMETRY_MIN_MAX_H
 

@@ -11,8 +11,8 @@
  * for openings in a face, and the smallest size of any object. */
 #define PP_SAME_M 1e-3
 
-/* Rounding error (m) of a sum of typed lengths. A window that exceeds its wall or
- * overlaps its neighbour by less is moved back. */
+/* Rounding error (m) of a sum of typed lengths. A window that exceeds its wall by less
+ * is moved back; an overlap of neighbours by less is ignored. */
 #define PP_ROUNDING_M 1e-6
 
 /* A receiver nearer to a surface than this (m) lies on it. */

@@ -47,7 +47,7 @@ enum pp_status pp_dxf_shapes_solid(const struct pp_dxf_entity *entity,
 enum pp_status pp_dxf_shapes_lwpolyline(const struct pp_dxf_entity *entity,
                                         struct pp_error *err);
 
-/* Reads a POLYLINE; entity->to is the end of its SEQEND. */
+/* Reads a POLYLINE; entity->to is the end of its last VERTEX. */
 enum pp_status pp_dxf_shapes_polyline(const struct pp_dxf_entity *entity,
                                       struct pp_error *err);
 

@@ -28,7 +28,8 @@ struct pp_sky_picture_options {
     double top_bearing_rad;   /* bearing of the top, for a picture that looks up or
                                * down (0) */
     double view_bearing_rad;  /* bearing of the centre, for other pictures (0) */
-    double view_altitude_rad; /* altitude of the centre (pi/2; latitude-longitude 0) */
+    double view_altitude_rad; /* altitude of the centre (pi/2, or 0 if the bearing is
+                               * given; latitude-longitude: 0) */
     bool mirrored;            /* left and right exchanged, as on a map */
     double circle[3];         /* centre from left and top, radius; pixels */
     double horizon_rad;       /* altitude below which the sky is filled; 0: none */

@@ -124,7 +124,7 @@ static void make_curve(struct pp_tone *tone, const struct adaptation_fields *fie
         low = fmin(low, fields->logs[i]);
         high = fmax(high, fields->logs[i]);
     }
-    /* Lower luminances count as 1e-4 cd/m2. */
+    /* Fields below 1e-4 cd/m2 are left out of the histogram. */
     low = fmax(low, log(1e-4));
     if (!(high > low + 1e-6)) {
         show_linearly(tone, exp(high) / PP_TONE_MIDDLE);

@@ -29,30 +29,30 @@ struct pp_tone_options {
     double white; /* by hand: luminance shown as white, above 0 */
     double unit;  /* luminance (cd/m2) of a grey of 1 */
     double
-        degree_pixels; /* human: pixels per degree of view; the eye adapts to fields one
-                           * degree wide; at least 1 */
+        degree_pixels; /* automatic and human: pixels per degree of view; the eye adapts
+                        * to fields one degree wide; at least 1 */
 };
 
 enum { PP_TONE_BINS = 100 };
 
 struct pp_tone {
     double unit;
-    double white; /* by hand and automatic; 0: use the curve */
+    double white; /* scene luminance shown as white, in proportion; 0: use the curve */
     /* Log display luminance at PP_TONE_BINS + 1 equal steps of the log scene
      * luminance. */
     double low, step, curve[PP_TONE_BINS + 1];
 };
 
-/* Analyses the whole picture. Black and NaN pixels do not count; if there are no other
- * pixels, the picture is shown as black. */
+/* Analyses the whole picture. NaN pixels and black fields do not count; if there are no
+ * other fields, 1 cd/m2 is shown as white. */
 enum pp_status pp_tone_prepare(struct pp_tone *tone, const struct pp_picture *picture,
                                const struct pp_tone_options *options,
                                struct pp_error *err);
 
 /* Display luminance divided by display white, for a luminance of the scene (cd/m2): 0
- * to 1, or above 1 for the first two ways. Monotonic. The display's black is not
- * subtracted from the curve; that would increase the contrast of dark parts on a
- * display with a darker black. */
+ * to 1, or above 1 if the picture is shown in proportion. Monotonic. The display's
+ * black is not subtracted from the curve; that would increase the contrast of dark
+ * parts on a display with a darker black. */
 double pp_tone_shown(const struct pp_tone *tone, double luminance);
 
 /* Converts a pixel to sRGB [IEC61966]. */

@@ -25,9 +25,9 @@ struct pp_building;
 
 /* Reads a room file; path "-" is standard input. Mistakes in the file's form or values
  * are added to mistakes (PP_BAD_INPUT). An unreadable file is PP_SYSTEM, or
- * PP_BAD_INPUT if it does not exist. If there are mistakes, *building contains the
- * valid parts, so that pp_world_create can find further mistakes. *building is NULL if
- * the file cannot be read, is truncated, or contains no room. */
+ * PP_BAD_INPUT if it does not exist or is a folder. If there are mistakes, *building
+ * contains the valid parts, so that pp_world_create can find further mistakes.
+ * *building is NULL if the file cannot be read, is truncated, or contains no room. */
 enum pp_status pp_building_read(struct pp_building **building, const char *path,
                                 struct pp_mistakes *mistakes, struct pp_error *err);
 

@@ -97,7 +97,8 @@ struct pp_shade_part {
     double above_m, below_m;  /* extension beyond head and sill */
     double left_m, right_m;   /* extension beyond the jambs */
     bool is_left, is_right;   /* true if there is a fin on that side */
-    double height_m;          /* shelf: above the sill; balcony: its floor */
+    double height_m;          /* shelf: above the sill; balcony: its floor above the
+                               * room's */
     double parapet_m;         /* height of a balcony's parapet; 0: none */
     double reflectance;
     const struct pp_finish *finish;
@@ -230,7 +231,7 @@ struct pp_mesh_part {
     int line;
 };
 
-/* A tree of the site; the z of its foot is set by build. */
+/* A tree of the site; pp_build_trees sets the z of its foot. */
 struct pp_tree_part {
     struct pp_tree tree;
     enum pp_site_state state;

@@ -122,10 +122,10 @@ struct pp_opening {
     bool faces_open_out; /* no face has a part outside the plane of its glass */
 };
 
-/* A pane between the room's windows and the sky: of the coarse model
+/* A pane in the room's axes, between its windows and the sky: of the coarse model
  * (outside/nested.h), or a face of a tree's crown (outside/trees.h). */
 struct pp_outer_pane {
-    struct pp_polygon outline; /* in the room's axes; normal into the coarse model */
+    struct pp_polygon outline; /* normal into the coarse model; out of a crown */
     struct pp_vec3 up;         /* axis of its opening */
     int opening;               /* index in the coarse model's world; -1: a crown */
     int tree;                  /* index of the tree whose crown it bounds; -1: glass */

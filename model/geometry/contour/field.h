@@ -60,7 +60,8 @@ struct pp_field {
 
 /* Creates the mesh and evaluates the function at its nodes. tolerance: greatest error
  * of the position of curves, above 0, in the unit of the region. The region is copied;
- * context is not owned and must outlive the field. PP_BAD_INPUT for an empty region. */
+ * context is not owned and must outlive the field. PP_BAD_INPUT for an empty region or
+ * a tolerance that is not above 0. */
 enum pp_status pp_field_create(struct pp_field **field, const struct pp_region *region,
                                pp_field_function function, void *context,
                                double tolerance, struct pp_error *err);

@@ -1,10 +1,10 @@
 /* level_crossing.h - the curve of a level across one triangle of a field's mesh. Inside
  * model/geometry/contour/ only.
  *
- * On an edge whose ends are on different sides of the level, the crossing is found by a
- * bracketed secant. Between two such crossings the curve is followed across the
- * triangle; points are added until it deviates from its chords by at most the
- * tolerance.
+ * On an edge whose ends are on different sides of the level, the crossing is found by
+ * Brent's method, which keeps it bracketed. Between two such crossings the curve is
+ * followed across the triangle; points are added until it deviates from its chords by
+ * at most the tolerance.
  */
 #ifndef PP_MODEL_GEOMETRY_CONTOUR_LEVEL_CROSSING_H
 #define PP_MODEL_GEOMETRY_CONTOUR_LEVEL_CROSSING_H

@@ -118,8 +118,8 @@ struct pp_annual_sheet {
     double occupied_h;        /* occupied hours in the year */
     double daylit_h;          /* hours with a sky or a sun */
     double diffuse_median_lx; /* median of the 4380 brightest hours */
-    bool is_grid;             /* the points are a grid over the plane; else `plane`
-                               * is not defined */
+    bool is_grid;             /* the points are a grid over the plane; else `plane` is
+                               * for the points only */
     bool has_blinds;          /* there are figures with blinds */
     bool blinds_of_lm83; /* operated as in LM-83: the share with blinds is its sDA */
     bool standard_hours; /* 8 to 18 h on all days, as in LM-83 */

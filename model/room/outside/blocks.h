@@ -1,5 +1,5 @@
-/* blocks.h - the step that adds blocks outside: boxes that must not touch the inside of
- * the room. Inside model/room/ only. */
+/* blocks.h - the step that adds blocks: boxes that must not overlap the room or a
+ * reveal. Inside model/room/ only. */
 #ifndef PP_MODEL_ROOM_OUTSIDE_BLOCKS_H
 #define PP_MODEL_ROOM_OUTSIDE_BLOCKS_H
 

@@ -22,7 +22,7 @@ static const double same_bearing_rad = 1.0 * PP_RAD;
 /* Smaller pieces of faces are left out. */
 static const double piece_least_m2 = 1e-9;
 
-/* A coarse model on its way into a room. */
+/* A coarse model that is being added to a room. */
 struct nesting {
     struct pp_resolver *r;
     const struct pp_within_part *part;

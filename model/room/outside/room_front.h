@@ -31,7 +31,7 @@ struct pp_room_front {
     int line;
 };
 
-/* True if the surface belongs to a facade's sheet, and not to a passage through it. */
+/* True if the surface belongs to a facade's sheet, and not to a rim of a hole in it. */
 bool pp_room_front_is_of_sheet(const struct pp_world *world, int surface);
 
 /* Makes the front of facade `facade` of a room's world that has that placement. The

@@ -24,8 +24,9 @@ bool pp_trees_are_bare(const struct pp_world *world, int month);
 /* True if the transmittance of a tree depends on the season. */
 bool pp_trees_change(const struct pp_world *world);
 
-/* The world with its trees in one season. It shares everything with the world, which
- * must outlive it; free it by device_states.h. */
+/* The world with its trees in one season. It shares everything except the openings with
+ * the world, which must outlive it. The caller destroys *state by
+ * pp_device_states_destroy. */
 enum pp_status pp_trees_in_season(struct pp_world **state, const struct pp_world *world,
                                   bool is_bare, struct pp_error *err);
 

@@ -6,7 +6,8 @@
 #include "model/base/text.h"
 #include "model/room/read/element_form.h"
 
-/* Returns false, with a report, for a material that no surface can have. */
+/* Returns false, with a report, for a material with the name of an earlier one, or with
+ * slopes that are too steep. */
 static bool material_is_possible(struct pp_reader *r,
                                  const struct pp_material_form *form, int line)
 {

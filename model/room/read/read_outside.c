@@ -218,7 +218,8 @@ static void read_box(struct pp_reader *r, struct pp_room *room,
         add_block_face(r, room, &form, e->line, faces[i].corners, faces[i].count);
 }
 
-/* Adds walls and a flat roof over the outline, which is counter-clockwise. */
+/* Adds walls and a flat roof over the outline, which is counter-clockwise, and an
+ * underside if the block has a base. */
 static void raise_walls(struct pp_reader *r, struct pp_room *room,
                         const struct pp_block_form *form, int line,
                         struct pp_vertices *outline)

@@ -38,7 +38,7 @@ struct pp_value_kind {
     double least, most;       /* limits of numbers, included unless: */
     bool above_least;         /* least is excluded */
     bool below_most;          /* most is excluded */
-    double unit;              /* factor applied to the number; 0: 1 */
+    double unit;              /* PP_VALUE_NUMBER: factor to the stored unit */
     const char *const *words; /* words of a choice; NULL-terminated */
     const struct pp_named_factors *factors;
     const char *expected_mm; /* lengths: `expected` for a file in millimetres */

@@ -32,9 +32,9 @@ struct pp_room_changes {
 
 /* Applies the changes; everything else, including line breaks, stays byte for byte the
  * same. Text that is not well-formed is only copied, since the reader of room files
- * reports the mistakes. PP_BAD_INPUT for an address that does not exist, or an
- * attribute that the part cannot have. The caller frees *changed, which has
- * *changed_length bytes and a NUL. */
+ * reports the mistakes. PP_BAD_INPUT for an address that does not exist, a name or
+ * number that is not unique, or an attribute that the part cannot have. The caller
+ * frees *changed, which has *changed_length bytes and a NUL. */
 enum pp_status pp_room_change_text(char **changed, size_t *changed_length,
                                    const char *text, size_t length,
                                    const struct pp_room_changes *changes,

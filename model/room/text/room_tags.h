@@ -19,7 +19,7 @@ struct pp_room_tag {
  * none. */
 struct pp_room_tag pp_room_tags_next(const char *at, const char *end);
 
-/* Extends a tag to its whole element, which must not have children. */
+/* Extends a tag to its whole element. Children must be tags that end in "/>". */
 struct pp_room_tag pp_room_tags_element(struct pp_room_tag tag, const char *end);
 
 bool pp_room_tags_is_named(struct pp_room_tag tag, const char *name);
