@@ -51,8 +51,8 @@ static char *trimmed(char *text)
     return text;
 }
 
-/* Reads the value at the end of a line. is_heading: whether the line may be one; *has:
- * whether there is a value. */
+/* Reads the value at the end of a line. is_heading: true if the line may be a heading;
+ * *has: true if it has a value. */
 static enum pp_status read_line(const struct pp_blinds_choice *choice, char *line,
                                 int number, bool is_heading, bool *has,
                                 unsigned char *value, struct pp_error *err)

@@ -18,8 +18,9 @@ struct pp_mpirun {
  * expected path. */
 bool pp_mpirun_module_path(char *path, size_t room);
 
-/* Begins the use of ranks. Must be called first. If the process is one of several
- * ranks, loads the module; all ranks except 0 then print nothing. Reports errors. */
+/* Begins the use of ranks. Must be called before a command runs. If the process is one
+ * of several ranks, loads the module; all ranks except 0 then print nothing. Reports
+ * errors. */
 enum pp_exit pp_mpirun_begin(struct pp_mpirun *mpirun);
 
 /* Ends the use of ranks. Must be called last. Returns the exit status for mpirun:
