@@ -61,8 +61,8 @@ struct pp_task *pp_task_create(struct pp_server *server, pp_task_run *run,
                                const char *command, struct json_object *body);
 void pp_task_release(struct pp_task *task); /* NULL is allowed */
 
-/* True if the client has closed its connection (the socket is polled) or the server is
- * stopping. */
+/* True if the task was cancelled, the client has closed its connection (the socket is
+ * polled), or the server is stopping. */
 bool pp_task_is_cancelled(struct pp_task *task);
 /* Like pp_task_is_cancelled, but polls the socket only every few milliseconds, so that
  * calculations can call it often. data: the task. */

@@ -97,7 +97,8 @@ static double roughness_of(const struct pp_rough_surface *rough)
 }
 
 /* Describes an opaque material; false if no Radiance type can. Radiance's `mirror` is
- * black from behind, so a mirror seen from both sides is written as a metal. */
+ * black from behind, so a mirror seen from both sides is written as a plastic or
+ * metal. */
 static bool say_opaque(struct rad_primitive_text *said, const struct pp_material *m,
                        bool both_sides)
 {
