@@ -2,8 +2,8 @@
  * outside, and its direct component at a receiver.
  *
  * The illuminance jumps where an obstruction touches the pane's plane, has kinks where
- * the plane of a surface meets the pane and at the heights of corners above the
- * horizon, and is smooth between these lines. The pane is divided along such lines
+ * the plane of a surface meets the pane and at the heights of the surfaces' corners
+ * (seen from there, a corner is on the horizon), and is smooth between these lines. The pane is divided along such lines
  * where they are parallel to its axes, else in the middle, until polynomials through 7
  * x 7 Chebyshev nodes of each cell have an error of 1e-5 of the flux on the whole pane,
  * as estimated from their last coefficients, which is 1e-6 or less in fact; or until

@@ -5,9 +5,11 @@
  * The part is divided into cells, each bounded by two edges of the part and two lines
  * across. The variables over a cell are the azimuth alpha and the sine s of the
  * altitude about the view's `up`. Solid angle is uniform in these variables (domega =
- * dalpha ds), however close the eye is to the plane. Both integrals use adaptive
- * Gauss-Kronrod rules (hcubature in one dimension); the integral over s is nested in
- * the integral over alpha.
+ * dalpha ds), however close the eye is to the plane. The integral over s is nested in
+ * the integral over alpha. Both use adaptive Gauss-Kronrod rules (hcubature in one
+ * dimension), or short Gauss-Legendre rules in small cells where two such rules agree;
+ * rough results use fixed Gauss-Legendre rules, and luminances with grain midpoint
+ * sums.
  */
 #ifndef PP_METHODS_EXACT_QUADRATURE_H
 #define PP_METHODS_EXACT_QUADRATURE_H

@@ -40,7 +40,7 @@ static void add_arc(struct boundary_sums *sums, struct pp_vec3 v, double length,
     double cosine = pp_vec_dot(v, next) * scale;
     double sine = pp_vec_length(across) * scale;
     if (!(sine > 0.0))
-        return; /* no arc, or an arc through the eye, for which the side is undefined */
+        return; /* no arc, or an edge through the eye, for which the side is undefined */
 
     double facing = pp_vec_dot(sums->normal, across) * scale;
     double facing_both = pp_vec_dot(sums->normal, v) / length

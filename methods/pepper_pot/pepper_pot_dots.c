@@ -48,7 +48,7 @@ static void place_azimuths(struct pp_pepper_pot *pot)
 }
 
 /* Fills in one altitude: left[i] is the light at that altitude from azimuths to the
- * left of step i. */
+ * left of step i, without the factor by_altitude. */
 static void fill_ring(double left[AZIMUTHS + 1], const struct pp_pepper_pot *pot,
                       double gamma)
 {

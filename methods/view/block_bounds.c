@@ -8,7 +8,8 @@
 #include "model/geometry/min_max.h"
 #include "model/geometry/tolerance.h"
 
-/* Calculates the bound of a block. Returns false if no part of the block is visible. */
+/* Calculates the bound of a block. Returns false if the block is certainly not
+ * visible. */
 static bool bound_block(struct pp_block_bound *bound, const struct pp_block_view *view,
                         const struct pp_block *block)
 {

@@ -23,7 +23,8 @@
 
 #include "model/room/world.h"
 
-/* A part of the opening that shows the sky or one obstruction; edges divided by d. */
+/* A part of the opening that shows the sky or obstructions of one reflectance; edges
+ * divided by d. */
 struct pp_elevation_part {
     double left, right, low, high;
     double reflectance; /* reflectance of the obstruction; NAN: sky */

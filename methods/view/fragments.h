@@ -31,8 +31,9 @@ struct pp_fragments {
     struct pp_fragment *list;
 };
 
-/* A ring to be cut out: convex, counter-clockwise, with its extent. The ring lies at
- * the depth depth[0] + depth[1] x + depth[2] y. */
+/* A ring to be cut out: convex, counter-clockwise, with its extent. Its depth at (x, y)
+ * is depth[0] + depth[1] x + depth[2] y. Depths are compared only: of two rings the one
+ * with the smaller depth is in front. */
 struct pp_fragment_ring {
     int count;
     const double (*xy)[2];

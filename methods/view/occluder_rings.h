@@ -21,7 +21,8 @@ enum pp_status pp_occluder_rings_find(struct pp_occluder_rings *rings,
                                       double distance_m, struct pp_error *err);
 void pp_occluder_rings_clear(struct pp_occluder_rings *rings);
 
-/* Sorts the rings by area, largest first: later ones are then mostly hidden. */
+/* Sorts the rings by the area of their bounding boxes, largest first: later ones are
+ * then mostly hidden. */
 enum pp_status pp_occluder_rings_sort(struct pp_occluder_rings *rings,
                                       struct pp_error *err);
 
