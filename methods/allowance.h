@@ -54,7 +54,8 @@ enum pp_allowance {
 /* Product of the corrections for this opening that are not contained in figures with
  * `allowances`. The ratio G converts figures for clear glass to the opening's own
  * glass. For an unglazed opening G is 1/0.85, unless the method has figures without
- * glass (PP_ALLOWS_NO_GLASS). */
+ * glass (PP_ALLOWS_NO_GLASS). Figures that contain no glass are multiplied by the
+ * diffuse transmittance of the opening's own glass instead. */
 double pp_allowance_factor(unsigned allowances, const struct pp_opening *opening);
 
 /* Factor D of the deterioration of decorations for the method's figures; 1 for methods

@@ -15,7 +15,7 @@ struct pp_plane_light {
     pp_luminance_function *sky;      /* luminance of the sky in that direction,
                                       * visible or hidden */
     pp_luminance_function *exitance; /* luminance of visible surfaces for an exitance
-                                      * of 1; NULL: none is self-luminous */
+                                      * of pi; NULL: none is self-luminous */
     const void *context;
     double grain_rad;      /* resolution of sky(), see struct pp_integrand */
     double of_reflectance; /* luminance factor of an obstruction of reflectance 1 */

@@ -45,7 +45,7 @@ struct pp_arc_bend {
     double width;
 };
 
-/* Greatest distance between nodes. */
+/* Limits the length of an arc that one quadrature rule covers. */
 struct pp_arc_spacing {
     double longest; /* longest chord (of unit vectors) for one rule */
     int bend_count;

@@ -16,8 +16,8 @@ static const double chebyshev[PP_AXIAL_POWERS] = {
     -0.96592582628906829, -0.70710678118654752, -0.25881904510252076,
     0.25881904510252076,  0.70710678118654752,  0.96592582628906829};
 
-/* The six functions in (2). If the axis is perpendicular to q, n and g, as for a
- * vertical pane and a horizontal plane, only the last two are needed. */
+/* The six functions in (2). If p is 0 and the axis is perpendicular to q, n and g, as
+ * for a vertical pane and a horizontal plane, only the last two are needed. */
 enum { K_1, K_C, K_CC, K_CS, K_S, K_SS };
 
 /* ---- the moments ---- */

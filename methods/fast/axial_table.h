@@ -44,7 +44,8 @@ void pp_axial_table_init(struct pp_axial_table *table, pp_axial_function *functi
  *
  *     F(c) p - balance[0] p + (q.a) (F(c) c - balance[1]) + Q (F(c) - balance[2])   (3)
  *
- * The other three functions are not filled. */
+ * The other three functions are not balanced: the table is for lights that are not
+ * quadratic. */
 void pp_axial_table_init_balanced(struct pp_axial_table *table,
                                   pp_axial_function *function, const void *context);
 

@@ -49,7 +49,7 @@ static const struct pp_formula *const formulae[] = {&sky_component, &external_co
 
 /* The diagram without glass, and the altitude at the middle of each row of its
  * squares. */
-enum { MOST_ROWS = 64 }; /* an upper bound: diagrams have 14 or 15 */
+enum { MOST_ROWS = 64 }; /* an upper bound: diagrams have 14 */
 struct overlay {
     struct pp_waldram waldram;
     double width, height; /* size of a square on the diagram */

@@ -74,8 +74,8 @@ enum pp_status pp_waldram_scale_init_upright(struct pp_waldram *waldram,
 
 /* Direction of a point of a window's drawing in the diagram's axes: x to the right, y
  * ahead, z up; not of unit length. Ahead is the normal of a vertical receiver,
- * otherwise the horizontal part of `out` or, for a horizontal opening, that of
- * `along`. */
+ * otherwise the horizontal direction perpendicular to `along`: that of `out`, unless the
+ * opening is horizontal. */
 struct pp_vec3 pp_waldram_scale_direction(const struct pp_waldram *waldram,
                                           const struct pp_window_axes *axes,
                                           const double xy[2]);
