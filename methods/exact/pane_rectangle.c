@@ -12,9 +12,9 @@ static const double fejer[NODES] = {
     0.08671618072672239, 0.28783139478869196, 0.3982415401308442, 0.4544217687074829,
     0.3982415401308442,  0.28783139478869196, 0.08671618072672239};
 
-/* Distance of a rectangle over half its longer side from which the rule is used. The
- * cosines over the square of the distance, as a function along the rectangle, have a
- * pole at this distance beside it. The error is about (k + sqrt(k^2 + 1))^-8. */
+/* Least ratio k of a rectangle's distance to half its longer side for which the rule is
+ * used. The cosines over the square of the distance, as a function along the rectangle,
+ * have a pole at this distance beside it. The error is about (k + sqrt(k^2 + 1))^-8. */
 static const double FAR = 8.0, FAR_ROUGH = 2.0;
 
 /* A rectangle up to this many times nearer is divided until its parts are far enough: a

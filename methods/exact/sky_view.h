@@ -48,8 +48,9 @@ struct pp_sky_piece {
 
 typedef void pp_sky_view_sink(void *data, const struct pp_sky_piece *piece);
 
-/* Calls a function with each piece of sky and of the ground below the horizon, at most
- * size_rad wide and high. PP_BAD_INPUT if an outline has too many corners. */
+/* Calls a function with each piece of sky and, if the world's ground is open, of the
+ * ground below the horizon, at most size_rad wide and high. PP_BAD_INPUT if an outline
+ * has too many corners. */
 enum pp_status pp_sky_view_pieces(const struct pp_sky_view *view, double size_rad,
                                   pp_sky_view_sink *sink, void *data,
                                   struct pp_error *err);

@@ -122,7 +122,7 @@ static double slope_of(double t)
     return 4.0 * t * (1.0 - t * t);
 }
 
-/* Cosines, and transmittances times -dc, at the Gauss points of each step of t. */
+/* Cosines c, transmittances, and weights -dc at the Gauss points of each step of t. */
 struct pane_steps {
     double c[STEPS][2], tau[STEPS][2], dc[STEPS][2];
 };

@@ -6,7 +6,8 @@
  * reflection. This light falls off exponentially over a range l / sqrt(1 - R), where l
  * is twice the area of the room's section divided by half the section's perimeter. The
  * fall begins c l / k behind the window's wall, where the light from outside first
- * lands. A room no deeper than that is as bright at its back as near the window:
+ * lands. A room of just that depth is as bright at its back as near the window, a
+ * shallower one is brighter at its back:
  *
  *     l = 2 w_r h_r / (w_r + h_r)
  *     f_d = q_d exp(-q_d x / d_r) / (1 - exp(-q_d)),   q_d = sqrt(1 - R) (k d_r / l - c) (1)

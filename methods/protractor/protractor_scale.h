@@ -62,7 +62,7 @@ enum pp_status pp_protractor_scale_published(struct pp_protractor *protractor,
                                              int number, struct pp_error *err);
 
 /* Number under which such a protractor was published; 0 if it was not (glass other than
- * clear single glass, another slope or sky). */
+ * clear single glass, another slope or sky, a vertical receiver). */
 int pp_protractor_scale_number(const struct pp_protractor *protractor);
 
 /* End of the primary scale, up to which light reaches the glass from below: pi - slope

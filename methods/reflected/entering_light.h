@@ -1,5 +1,6 @@
 /* entering_light.h - the light that enters through an opening, and its division between
- * the upper and the lower part of the room, for `split-flux` and `sphere`.
+ * the upper and the lower part of the room, for `split-flux`, `sphere`, `dresler` and
+ * `arndt` (which does not use the division).
  *
  * tau is the transmittance of the pane for diffuse light: 0.827 for clear single glass,
  * and the stated value for a diffusing pane. The published 0.85 is used only in `bre`,

@@ -1,5 +1,5 @@
 /* obstruction.c - the obstruction angle alpha of an opening from its skylines or from
- * VSC, the conversion of VSC and alpha into one another, and the printed factor C. */
+ * VSC, and the printed factor C. */
 #include "methods/reflected/obstruction.h"
 
 #include "methods/exact/exterior.h"
