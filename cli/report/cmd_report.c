@@ -127,6 +127,14 @@ static void put_cut(const struct pp_section_place *cut, FILE *out)
                 cut->at_m);
 }
 
+static void put_grid(const struct pp_grid_choice *grid, FILE *out)
+{
+    if (grid->largest)
+        fputs(" --spacing largest", out);
+    else if (grid->spacing_m > 0.0)
+        fprintf(out, " --spacing %.10g,%.10g", grid->spacing_m, grid->margin_m);
+}
+
 static void put_choice(const struct pp_assess_words *words, FILE *out)
 {
     static const char *const states[] = {[PP_STATE_BOTH] = NULL,
@@ -146,6 +154,11 @@ static void put_choice(const struct pp_assess_words *words, FILE *out)
     if (words->median_lux > 0.0 && !words->weather)
         fprintf(out, " --median-diffuse %.10g", words->median_lux);
     put_option("--weather", words->weather, out);
+    if (words->least_altitude_rad > 0.0)
+        fprintf(out, " --least-altitude %.10g", words->least_altitude_rad / PP_RAD);
+    if (words->shortest_h > 0.0)
+        fprintf(out, " --shortest %.10g", 60.0 * words->shortest_h);
+    put_grid(&words->grid, out);
     if (words->with_year)
         fputs(" --year", out);
     if (words->french_m > 0.0)

@@ -60,14 +60,15 @@ static struct weather_file *find_file(struct pp_weather_store *store, const char
     return NULL;
 }
 
-const char *pp_weather_store_path(struct pp_weather_store *store, const char *hash)
+char *pp_weather_store_path(struct pp_weather_store *store, const char *hash)
 {
     pthread_mutex_lock(&store->lock);
     struct weather_file *file = find_file(store, hash);
     if (file)
         file->used = ++store->uses;
+    char *path = file ? strdup(file->path) : NULL;
     pthread_mutex_unlock(&store->lock);
-    return file ? file->path : NULL;
+    return path;
 }
 
 /* Stores the file in place of the least recently used one, unless it is already stored.

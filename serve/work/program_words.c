@@ -151,7 +151,7 @@ static bool add_option(struct pp_program_words *words, struct pp_task *task,
         return true;
     case json_type_string: {
         const char *text = json_object_get_string(value);
-        const char *path = text;
+        char *path = NULL; /* of a weather file */
         if (*text == '\0' || strlen(text) > 2000) {
             pp_task_fail(task, MHD_HTTP_BAD_REQUEST, "%s is empty or too long", name);
             return false;
@@ -165,7 +165,8 @@ static bool add_option(struct pp_program_words *words, struct pp_task *task,
                          "/api/weather");
             return false;
         }
-        pp_program_words_add_option(words, name, path);
+        pp_program_words_add_option(words, name, path ? path : text);
+        free(path);
         return true;
     }
     case json_type_array: {

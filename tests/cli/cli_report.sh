@@ -82,10 +82,11 @@ check "names are text" shows '<h1>House &lt;b&gt; &amp; ' report --by-hand -c vs
     "$scratch/name.xml"
 mkdir "$scratch/it's a site"
 cp "$scratch/name.xml" "$scratch/it's a site/house.xml"
-words="pepperpot report --criteria vsc --median-diffuse 14100 --room Study --state proposed --samples \
-64 --seed 7"
+words="pepperpot report --criteria vsc --median-diffuse 14100 --least-altitude 11 --shortest 5 \
+--spacing 0.4,0.5 --room Study --state proposed --samples 64 --seed 7"
 check "the words that make it again" shows "$words '$scratch/it'\\''s a site/house.xml'" report -c vsc \
-    --median-diffuse 14100 --room Study --state proposed --samples 64 --seed 7 -j 1 \
+    --median-diffuse 14100 --least-altitude 11 --shortest 5 --spacing 0.4 --room Study \
+    --state proposed --samples 64 --seed 7 -j 1 \
     "$scratch/it's a site/house.xml"
 check "a room by itself" shows "<h1>Deep office</h1>" report --by-hand "$deep"
 cat >"$scratch/cellar.xml" <<'EOF'
