@@ -45,9 +45,9 @@ struct pp_daylight_curves_choice {
 };
 
 /* Fills plan as pp_daylight_curves does, but with the direct component by any method
- * that gives values at points and does not count squares or dots. The plan's name is "direct+irc_name". If irc_name is
- * NULL, the figures are the direct component only. PP_BAD_INPUT with the reason if the
- * method does not cover the room. */
+ * that gives values at points and does not count squares or dots. The plan's name is
+ * "direct+irc_name". If irc_name is NULL, the figures are the direct component only.
+ * PP_BAD_INPUT with the reason if the method does not cover the room. */
 enum pp_status pp_daylight_curves_by(struct pp_daylight_plan *plan,
                                      const struct pp_world *world,
                                      const struct pp_outside_light *light,

@@ -5,8 +5,8 @@
  * would miss. The plane is therefore divided into wedges. In the plan, the apex of the
  * wedges is behind the opening: in a reveal deeper than the opening is wide, where the
  * lines between opposite jambs of the inside and outside outlines cross. The light of
- * any opening fills its wedges, and the result
- * does not depend on the orientation of the room:
+ * any opening fills its wedges, and the result does not depend on the orientation of
+ * the room:
  *
  *     apex       behind the inside outline by half of its width w or half of the
  *                reveal r, whichever is greater

@@ -3,11 +3,11 @@
  *
  * The illuminance jumps where an obstruction touches the pane's plane, has kinks where
  * the plane of a surface meets the pane and at the heights of the surfaces' corners
- * (seen from there, a corner is on the horizon), and is smooth between these lines. The pane is divided along such lines
- * where they are parallel to its axes, else in the middle, until polynomials through 7
- * x 7 Chebyshev nodes of each cell have an error of 1e-5 of the flux on the whole pane,
- * as estimated from their last coefficients, which is 1e-6 or less in fact; or until
- * there are 96 cells, or fewer behind dozens of surfaces, where each node takes
+ * (seen from there, a corner is on the horizon), and is smooth between these lines. The
+ * pane is divided along such lines where they are parallel to its axes, else in the
+ * middle, until polynomials through 7 x 7 Chebyshev nodes of each cell have an error of
+ * 1e-5 of the flux on the whole pane, as estimated from their last coefficients (in
+ * fact 1e-6 or less); or until there are 96 cells, or fewer behind dozens of surfaces, where each node takes
  * milliseconds. Errors measured at that limit: 1e-3 behind a sloping shelf that touches
  * the pane, 1.2e-2 behind twenty slats.
  */

@@ -40,7 +40,7 @@ struct pp_nomogram pp_nomogram_scale_make(enum pp_nomogram_kind kind);
 double pp_nomogram_scale_position(const struct pp_nomogram *nomogram, int stem,
                                   double value);
 
-/* The value at y on a stem that is read (C, E, G): a fraction of Eh. */
+/* The value at y on a stem that is read: C, E or G, or F of nomogram IV. */
 double pp_nomogram_scale_value(const struct pp_nomogram *nomogram, int stem, double y);
 
 /* The y at which straight-edge `edge`, laid on y_from and y_to of its two stems,

@@ -22,9 +22,9 @@ double pp_point_factor_sky(struct pp_vec3 from, struct pp_vec3 normal,
                            const struct pp_region *region, double z,
                            const struct pp_sky *sky);
 
-/* Share (0 to 1) of the sky's light at the point `from` that falls directly on the
- * region below through a convex polygon between them, the foot of a well, with at most
- * four edges. */
+/* Share (0 to 1) of the skylight that passes straight from the point `from` through a
+ * convex polygon with at most four edges, the foot of a well, that then falls directly
+ * on the region below. */
 double pp_point_factor_through(struct pp_vec3 from, const struct pp_polygon *foot,
                                const struct pp_region *region, double z,
                                const struct pp_sky *sky);
