@@ -41,9 +41,9 @@ const char *pp_refusals_if_mesh(const struct pp_world *world)
                                  : NULL;
 }
 
-/* Largest product of the numbers of triangles, openings and points. At 9.6e6 (100,000
- * triangles, one opening, 96 points) the exact method takes 1.7 s and Waldram's diagram
- * 2.6 s. */
+/* Largest product of the numbers of triangles, openings and points (plus one). At
+ * 9.6e6 (100,000 triangles, one opening, 96 points) the exact method takes 1.7 s and
+ * Waldram's diagram 2.6 s. */
 static const double mesh_views_most = 1.8e7;
 
 const char *pp_refusals_if_fine_mesh(const struct pp_world *world)
