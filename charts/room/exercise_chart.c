@@ -301,8 +301,9 @@ static void draw_answers(const struct exercise_drawing *drawing, struct pp_box b
     }
 }
 
-/* Height of the elevations (mm). Elevations at the scale of a diagram keep that scale
- * on every sheet size; others get two fifths of `most`. */
+/* Height of the elevations (mm), which at the scale of a diagram is the same on every
+ * sheet size. Without a viewing distance it is two fifths of `most`; best_layout then
+ * chooses another height. */
 static double elevations_height(const struct exercise_drawing *drawing, double most)
 {
     double tallest = 0.0, viewing = drawing->exercise->viewing_mm;

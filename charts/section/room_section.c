@@ -282,7 +282,7 @@ static void trace_beside(const struct section_drawing *drawing,
 }
 
 /* Draws a door as a leaf in the line of the wall, with an opening in the facade in
- * front of it, and a dado as a thin line in front of the wall. */
+ * front of it, and a dado as a narrow white strip in front of the wall. */
 static void draw_cover_cut(const struct section_drawing *drawing,
                            const struct pp_cut *cut)
 {

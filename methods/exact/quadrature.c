@@ -9,8 +9,8 @@
  * rounding errors has no significant digits. */
 #define ABSOLUTE 1e-17
 
-/* Most evaluations in a column, and most columns in a cell. If these do not suffice,
- * the error estimate exceeds the bound. */
+/* Greatest numbers of evaluations in a column, and of columns in a cell. If these do
+ * not suffice, the error estimate exceeds the bound. */
 enum { COLUMN_MOST = 3000, COLUMNS_MOST = 3000 };
 
 /* ---- over a cell ---- */
@@ -159,7 +159,7 @@ static void add_fixed(struct pp_quadrature *result,
     }
 }
 
-/* Most steps in each direction of a cell. */
+/* Greatest number of steps in each direction of a cell. */
 enum { GRAINS_MOST = 4096 };
 
 /* Number of steps, each at most a grain wide, between two angles; at most

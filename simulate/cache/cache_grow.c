@@ -25,11 +25,11 @@ enum {
                            * stored */
     MOST_AHEAD = 1 << 20, /* most requests for which memory is reserved before rays are
                            * followed */
-    /* Most rays that search for the surfaces that light the requested places. Light
-     * from surfaces that these rays miss is calculated by paths. */
+    /* Greatest number of rays that search for the surfaces that light the requested
+     * places. Light from surfaces that these rays miss is calculated by paths. */
     EXPANSION_RAYS = 8192,
-    /* Most requests that one ray of a picture can make. At a pane, these may be for its
-     * frame, on either side, for the mirrored surface, and for the surface behind. */
+    /* Greatest number of requests by one ray of a picture: at a pane for its frame, on
+     * either side, for the mirrored surface, and for the surface behind. */
     RAY_REQUESTS = 6,
 };
 

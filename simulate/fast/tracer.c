@@ -229,9 +229,9 @@ static const struct pp_sampler sampler = {
     .bound = tracer_bound,
 };
 
-/* Most points that receivers share in a randomisation: a power of two at which the
- * points cause a third of the target variance in a room like the deep office. If more
- * points are needed, there are more randomisations. */
+/* Greatest number of points that receivers share in a randomisation: a power of two at
+ * which the points cause a third of the target variance in a room like the deep office.
+ * If more points are needed, there are more randomisations. */
 static uint32_t most_shared(double error)
 {
     uint32_t most = LEAST_SHARED;

@@ -132,8 +132,8 @@ static bool has_one_glass(const struct pp_material *material)
            && pp_glass_is_same(&material->glass[0], &material->glass[2]);
 }
 
-/* Most tabulated curves, 16 kB each; further kinds of glass are evaluated without a
- * table. */
+/* Greatest number of tabulated curves, 16 kB each; further kinds of glass are evaluated
+ * without a table. */
 enum { CURVES_MOST = 64 };
 
 /* Tabulates a curve for each kind of glass; equal kinds share one. */

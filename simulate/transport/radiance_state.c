@@ -6,7 +6,7 @@
 
 #include "simulate/scene/light_scene_parts.h"
 
-/* Most clear surfaces that a shadow ray passes. */
+/* Greatest number of clear surfaces that a shadow ray passes. */
 enum { MOST_PANES = 64 };
 
 struct pp_radiance_options pp_radiance_state_defaults(void)

@@ -13,8 +13,8 @@
  * path's noise; sampling all gives a quarter less noise in the example studio. */
 enum { FEW_OPENINGS = 4 };
 
-/* Most directions to each stratum of an opening from a strong gloss. Where its lobe is
- * narrow, its own rays find the opening. */
+/* Greatest number of directions to each stratum of an opening from a strong gloss.
+ * Where its lobe is narrow, its own rays find the opening. */
 enum { GLOSS_WINDOWS = 4 };
 
 int pp_sample_openings_vertex(const struct pp_shading_point *shading, int opening)

@@ -21,7 +21,7 @@ struct pp_pane_sun {
                                       * such a pane */
 };
 
-/* Most classes of any pane of the scene's world; 0: no pane scatters. */
+/* Greatest number of classes of any pane of the scene's world; 0: no pane scatters. */
 int pp_pane_sun_classes(const struct pp_light_scene *scene);
 
 /* Calculates the BTDF for the sun of every hour. The caller must clear *panes, even

@@ -44,7 +44,7 @@ static struct pp_opening_place sized_opening_place(const struct pp_window_sizes 
     struct pp_opening_place place =
         pp_room_opening_at(sizes->room, sizes->openings[i]).place;
     double low = edges[2 * i], high = edges[2 * i + 1];
-    /* If an edge has not moved, the length remains identical bit for bit. */
+    /* If neither edge has moved, position and length remain identical bit for bit. */
     double *first = sizes->upright ? &place.sill_m : &place.left_m;
     double *length = sizes->upright ? &place.height_m : &place.width_m;
     if (low != *first || high != *first + *length) {

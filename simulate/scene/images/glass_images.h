@@ -14,8 +14,8 @@
 #include "simulate/sampling/sample_polygon.h"
 #include "simulate/scene/light_scene.h"
 
-/* Most pairs that are sampled: the pairs that exchange most light. Images of other
- * pairs are found by rays. */
+/* Greatest number of pairs that are sampled: the pairs that exchange most light. Images
+ * of other pairs are found by rays. */
 enum { PP_GLASS_IMAGES_MOST = 32 };
 
 /* Indices of two panes: the opening `window` is mirrored in the glass of the opening

@@ -12,7 +12,8 @@
 
 static const double default_spacing_m = 0.3;
 
-/* Most points at the default spacing; larger planes have a larger spacing. */
+/* Greatest number of points at the default spacing; larger planes have a larger
+ * spacing. */
 static const double default_points = 1000.0;
 
 double pp_plane_grid_largest_spacing(double width_m, double depth_m)

@@ -11,7 +11,7 @@
 /* The margin along the walls that [EN17037] leaves out (m). */
 #define PP_PLANE_GRID_MARGIN_M 0.5
 
-/* Most cells of a grid; a grid with more cells has no points. */
+/* Greatest number of cells of a grid; a grid with more cells has no points. */
 enum { PP_PLANE_GRID_MOST = 20000 };
 
 /* Source of a grid's spacing. */

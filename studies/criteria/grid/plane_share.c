@@ -27,8 +27,8 @@ static const double surely_off = 7.04;
  * target. */
 static const double rounding = 1e-9;
 
-/* Most points near the figure for which the distribution is computed exactly: the time
- * grows with the square of their number, or faster. */
+/* Greatest number of points near the figure for which the distribution is computed
+ * exactly: the time grows with the square of their number, or faster. */
 enum { EXACT_MOST = 200 };
 
 static int compare_falling(const void *a, const void *b)

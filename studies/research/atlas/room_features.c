@@ -287,7 +287,7 @@ static double room_side_of_point(const struct pp_world *world, struct pp_vec3 po
     return least / world->height_m;
 }
 
-/* Most vertices of an outline that are used; the others are ignored. */
+/* Greatest number of vertices of an outline that are used; the others are ignored. */
 enum { VERTICES = 64 };
 
 static double view_of(const struct pp_world *world, struct pp_vec3 point)

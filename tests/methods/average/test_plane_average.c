@@ -48,7 +48,7 @@ static bool average(double mean[PP_PLANE_VALUES], struct pp_world *world,
     struct pp_thread_pool *pool;
     bool stopped;
     assert_int_equal(pp_thread_pool_create(&pool, quantity->threads, NULL), PP_OK);
-    /* A window 1 m wide in the nearest wall. */
+    /* A window 1 m wide in the wall y = 0; the apex is half its width behind it. */
     const struct pp_plane_centre centre = {.apex = {1.1, -0.5},
                                            .at = {1.1, 0.0},
                                            .facing = {0.0, 1.0},
