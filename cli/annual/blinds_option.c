@@ -115,19 +115,17 @@ enum pp_status pp_blinds_option_load(struct pp_blinds_choice *choice, int record
     enum pp_status status = pp_read_file(&bytes, &length, choice->file, FILE_MOST, err);
     if (status != PP_OK)
         return status;
-    char *text = realloc(bytes, length + 1);
     choice->schedule = calloc((size_t)records + 1, 1);
     choice->count = 0;
-    if (!text || !choice->schedule) {
-        free(text ? text : bytes);
+    if (!choice->schedule) {
+        free(bytes);
         return pp_fail_memory(err);
     }
-    text[length] = '\0';
     status = length > FILE_MOST
                  ? pp_fail(err, PP_BAD_INPUT, "%s: the schedule is larger than 64 MB",
                            pp_read_file_title(choice->file))
-                 : read_values(choice, text, records, err);
-    free(text);
+                 : read_values(choice, bytes, records, err);
+    free(bytes);
     return status;
 }
 

@@ -282,19 +282,13 @@ static enum pp_status read_text(struct pp_other_values *values, char *text,
 enum pp_status pp_other_values_read(struct pp_other_values *values, const char *path,
                                     struct pp_error *err)
 {
-    char *bytes;
+    char *text;
     size_t length;
     *values = (struct pp_other_values){0};
-    enum pp_status status = pp_read_file(&bytes, &length, path, FILE_MOST, err);
+    enum pp_status status = pp_read_file(&text, &length, path, FILE_MOST, err);
     if (status != PP_OK)
         return status;
     const char *file = pp_read_file_title(path);
-    char *text = realloc(bytes, length + 1);
-    if (!text) {
-        free(bytes);
-        return pp_fail_memory(err);
-    }
-    text[length] = '\0';
     if (length > FILE_MOST)
         status = pp_fail(err, PP_BAD_INPUT, "%.200s: larger than 64 MiB", file);
     else if (strlen(text) != length)

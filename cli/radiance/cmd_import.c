@@ -124,31 +124,25 @@ static enum pp_status take_sensor_line(struct pp_sensor **list, int *count, int 
 static enum pp_status read_sensor_points(struct pp_sensor **list, int *count,
                                          const char *path, struct pp_error *err)
 {
-    char *bytes;
+    char *points;
     size_t length;
     *list = NULL;
     *count = 0;
-    enum pp_status status = pp_read_file(&bytes, &length, path, FILE_MOST, err);
+    enum pp_status status = pp_read_file(&points, &length, path, FILE_MOST, err);
     if (status != PP_OK)
         return status;
     const char *file = pp_read_file_title(path);
-    char *ended = realloc(bytes, length + 1);
-    if (!ended) {
-        free(bytes);
-        return pp_fail_memory(err);
-    }
-    ended[length] = '\0';
-    if (strlen(ended) != length)
+    if (strlen(points) != length)
         status = pp_fail(err, PP_BAD_INPUT,
                          "%.200s: the file has a NUL byte; expected text", file);
     int space = 0, line = 1;
-    for (char *rest = ended, *text; status == PP_OK && (text = strsep(&rest, "\n"));)
+    for (char *rest = points, *text; status == PP_OK && (text = strsep(&rest, "\n"));)
         status = take_sensor_line(list, count, &space, text, file, line++, err);
     if (status == PP_OK && *count == 0)
         status = pp_fail(
             err, PP_BAD_INPUT,
             "%.200s: the file has no points; expected lines of x y z dx dy dz", file);
-    free(ended);
+    free(points);
     if (status != PP_OK) {
         free(*list);
         *list = NULL;

@@ -19,18 +19,20 @@ static enum pp_status read_all(char **bytes, size_t *length, size_t most, int fi
 {
     size_t room = most < 1 << 16 ? most + 1 : 1 << 16;
     *length = 0;
-    *bytes = malloc(room);
+    *bytes = malloc(room + 1);
     while (*bytes && *length <= most) {
         if (*length == room) {
             room = room <= most / 4 ? room * 4 : most + 1;
-            char *moved = realloc(*bytes, room);
+            char *moved = realloc(*bytes, room + 1);
             if (!moved)
                 break;
             *bytes = moved;
         }
         ssize_t got = read(file, *bytes + *length, room - *length);
-        if (got == 0)
+        if (got == 0) {
+            (*bytes)[*length] = '\0';
             return PP_OK;
+        }
         if (got < 0)
             return errno == EINTR
                        ? pp_fail(err, PP_INTERRUPTED, "%s: interrupted", name)
@@ -38,7 +40,10 @@ static enum pp_status read_all(char **bytes, size_t *length, size_t most, int fi
                                  "%s: cannot be read: %s", name, strerror(errno));
         *length += (size_t)got;
     }
-    return *length > most ? PP_OK : pp_fail_memory(err);
+    if (*length <= most)
+        return pp_fail_memory(err);
+    (*bytes)[*length] = '\0';
+    return PP_OK;
 }
 
 /* True for devices, which must not be opened, since that may have side effects. The

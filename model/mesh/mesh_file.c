@@ -45,19 +45,13 @@ enum pp_status pp_mesh_file_read(struct pp_mesh_triangles *mesh, const char *pat
         pp_read_file_regular(&bytes, &length, path, PP_MESH_FILE_BYTES_MOST, err);
     if (status != PP_OK)
         return status;
-    char *text = realloc(bytes, length + 1);
-    if (!text) {
-        free(bytes);
-        return pp_fail_memory(err);
-    }
-    text[length] = '\0';
     if (length > PP_MESH_FILE_BYTES_MOST)
         status =
             pp_fail(err, PP_BAD_INPUT,
                     "%.200s: the file is larger than %d MB; expected a coarser model",
                     path, PP_MESH_FILE_BYTES_MOST >> 20);
     else
-        status = pp_mesh_file_parse(mesh, text, length, path, err);
-    free(text);
+        status = pp_mesh_file_parse(mesh, bytes, length, path, err);
+    free(bytes);
     return status;
 }

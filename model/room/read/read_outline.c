@@ -209,20 +209,14 @@ static enum pp_status read_points(struct pp_mesh_triangles *mesh, const char *pa
         pp_read_file_regular(&bytes, &length, path, FILE_BYTES_MOST, err);
     if (status != PP_OK)
         return status;
-    char *text = realloc(bytes, length + 1);
-    if (!text) {
-        free(bytes);
-        return pp_fail_memory(err);
-    }
-    text[length] = '\0';
-    const char *from = text + (strncmp(text, "\xef\xbb\xbf", 3) == 0 ? 3 : 0);
+    const char *text = bytes + (strncmp(bytes, "\xef\xbb\xbf", 3) == 0 ? 3 : 0);
     if (length > FILE_BYTES_MOST)
         status = pp_fail(err, PP_BAD_INPUT,
                          "%s: the file is larger than %d MB; expected a list of points",
                          path, FILE_BYTES_MOST >> 20);
     else
-        status = pp_read_outline_parse(mesh, from, path, frame, distance_m, err);
-    free(text);
+        status = pp_read_outline_parse(mesh, text, path, frame, distance_m, err);
+    free(bytes);
     return status;
 }
 
