@@ -7,22 +7,11 @@
 #include "model/light/photographs/sky_cube.h"
 #include "model/light/photographs/sky_picture.h"
 
-enum { CELLS = PP_SKY_PICTURE_ROWS * PP_SKY_PICTURE_COLUMNS };
-
-static const double ROW_RAD = PP_PI / 2.0 / PP_SKY_PICTURE_ROWS;
-static const double COLUMN_RAD = 2.0 * PP_PI / PP_SKY_PICTURE_COLUMNS;
-
 /* A cell is bright above this multiple of the mean luminance Eh/pi. */
 static const double BRIGHT = 4.0;
 
 /* Least share of the light that makes the density worth its samples. */
 static const double LEAST_SHARE = 0.01;
-
-static double solid_angle_of(int cell)
-{
-    int row = cell / PP_SKY_PICTURE_COLUMNS;
-    return COLUMN_RAD * (sin((row + 1) * ROW_RAD) - sin(row * ROW_RAD));
-}
 
 /* The excess of a cell; 0 beyond the rows. */
 static double excess_of(const struct pp_sky_bright *bright, int row, int column)
@@ -50,9 +39,11 @@ static double density_of(const struct pp_sky_bright *bright, int cell)
 static struct pp_vec3 point_of(int cell, double a, double b)
 {
     int row = cell / PP_SKY_PICTURE_COLUMNS, column = cell % PP_SKY_PICTURE_COLUMNS;
-    double foot = sin(row * ROW_RAD), head = sin((row + 1) * ROW_RAD);
+    double foot = sin(row * PP_SKY_PICTURE_ROW_RAD),
+           head = sin((row + 1) * PP_SKY_PICTURE_ROW_RAD);
     double z = foot + a * (head - foot);
-    double bearing = (column + b) * COLUMN_RAD, level = sqrt(fmax(0.0, 1.0 - z * z));
+    double bearing = (column + b) * PP_SKY_PICTURE_COLUMN_RAD,
+           level = sqrt(fmax(0.0, 1.0 - z * z));
     return pp_vec(level * sin(bearing), level * cos(bearing), z);
 }
 
@@ -61,8 +52,9 @@ static struct pp_vec3 point_of(int cell, double a, double b)
 static void measure_lamps(struct pp_sky_bright *bright)
 {
     double area = 4.0 / (bright->edge * bright->edge);
-    for (int i = 0; i < CELLS; i++) {
-        double light = (double)bright->sky.picture->cells[i] * solid_angle_of(i);
+    for (int i = 0; i < PP_SKY_PICTURE_CELLS; i++) {
+        double light =
+            (double)bright->sky.picture->cells[i] * pp_sky_picture_solid_angle(i);
         bright->density[pp_sky_cube_lamp(bright->edge, point_of(i, 0.5, 0.5), NULL)] +=
             (float)(light / area);
     }
@@ -70,19 +62,19 @@ static void measure_lamps(struct pp_sky_bright *bright)
 
 static void measure_excess(struct pp_sky_bright *bright)
 {
-    for (int i = 0; i < CELLS; i++)
+    for (int i = 0; i < PP_SKY_PICTURE_CELLS; i++)
         bright->density[i] = (float)density_of(bright, i);
 }
 
 /* Finds the bright cells and their cumulative probabilities. */
 static void gather_bright_cells(struct pp_sky_bright *bright)
 {
-    int count = bright->edge ? pp_sky_cube_count(bright->edge) : CELLS;
+    int count = bright->edge ? pp_sky_cube_count(bright->edge) : PP_SKY_PICTURE_CELLS;
     for (int i = 0; i < count; i++) {
         if (!(bright->density[i] > 0.0F))
             continue;
-        double size =
-            bright->edge ? 4.0 / (bright->edge * bright->edge) : solid_angle_of(i);
+        double size = bright->edge ? 4.0 / (bright->edge * bright->edge)
+                                   : pp_sky_picture_solid_angle(i);
         bright->cells[bright->count] = i;
         bright->below[bright->count++] = bright->integral;
         bright->integral += (double)bright->density[i] * size;
@@ -95,8 +87,8 @@ static void gather_bright_cells(struct pp_sky_bright *bright)
 static double share_of(const struct pp_sky_bright *bright)
 {
     double light = 0.0;
-    for (int i = 0; i < CELLS; i++)
-        light += (double)bright->sky.picture->cells[i] * solid_angle_of(i);
+    for (int i = 0; i < PP_SKY_PICTURE_CELLS; i++)
+        light += (double)bright->sky.picture->cells[i] * pp_sky_picture_solid_angle(i);
     return fmin(1.0, bright->integral / light);
 }
 
@@ -111,9 +103,9 @@ enum pp_status pp_sky_bright_create(struct pp_sky_bright **result,
         return pp_fail_memory(err);
     bright->sky = *sky;
     bright->least_cd_m2 = BRIGHT * sky->picture->horizontal_lx / PP_PI;
-    bright->cells = malloc(CELLS * sizeof *bright->cells);
-    bright->below = malloc(CELLS * sizeof *bright->below);
-    bright->density = calloc(CELLS, sizeof *bright->density);
+    bright->cells = malloc(PP_SKY_PICTURE_CELLS * sizeof *bright->cells);
+    bright->below = malloc(PP_SKY_PICTURE_CELLS * sizeof *bright->below);
+    bright->density = calloc(PP_SKY_PICTURE_CELLS, sizeof *bright->density);
     if (!bright->cells || !bright->below || !bright->density) {
         pp_sky_bright_destroy(bright);
         return pp_fail_memory(err);
@@ -177,11 +169,5 @@ double pp_sky_bright_pdf(const struct pp_sky_bright *bright, struct pp_vec3 to)
         int lamp = pp_sky_cube_lamp(bright->edge, u, &solid_angle);
         return (double)bright->density[lamp] / solid_angle / bright->integral;
     }
-    double bearing = atan2(u.x, u.y);
-    int row = (int)(asin(fmin(1.0, u.z)) / ROW_RAD);
-    int column = (int)((bearing < 0.0 ? bearing + 2.0 * PP_PI : bearing) / COLUMN_RAD);
-    row = row < PP_SKY_PICTURE_ROWS ? row : PP_SKY_PICTURE_ROWS - 1;
-    column = column < PP_SKY_PICTURE_COLUMNS ? column : PP_SKY_PICTURE_COLUMNS - 1;
-    return (double)bright->density[row * PP_SKY_PICTURE_COLUMNS + column]
-           / bright->integral;
+    return (double)bright->density[pp_sky_picture_cell(u)] / bright->integral;
 }

@@ -281,22 +281,20 @@ struct pp_rgb pp_sky_picture_colour(const struct pp_sky_picture *picture,
 
 /* ---- the table ---- */
 
-static const double ROW_RAD = PP_PI / 2.0 / PP_SKY_PICTURE_ROWS;
-static const double COLUMN_RAD = 2.0 * PP_PI / PP_SKY_PICTURE_COLUMNS;
-
 /* Mean of a cell, sampled at the resolution of the pixels, at most 16 by 16 times.
  * *filled: share of the mean that is not from the pictures. */
 static double cell_mean(const struct pp_sky_picture *picture, int row, int column,
                         double *filled)
 {
-    double cosine = cos((row + 0.5) * ROW_RAD);
-    int up = (int)fmin(16.0, ceil(ROW_RAD / picture->step_rad));
-    int along = (int)fmin(16.0, ceil(COLUMN_RAD * cosine / picture->step_rad));
+    double cosine = cos((row + 0.5) * PP_SKY_PICTURE_ROW_RAD);
+    int up = (int)fmin(16.0, ceil(PP_SKY_PICTURE_ROW_RAD / picture->step_rad));
+    int along =
+        (int)fmin(16.0, ceil(PP_SKY_PICTURE_COLUMN_RAD * cosine / picture->step_rad));
     double sum = 0.0, of_fill = 0.0;
     for (int i = 0; i < up; i++)
         for (int k = 0; k < along; k++) {
-            double a = (row + (i + 0.5) / up) * ROW_RAD;
-            double b = (column + (k + 0.5) / along) * COLUMN_RAD;
+            double a = (row + (i + 0.5) / up) * PP_SKY_PICTURE_ROW_RAD;
+            double b = (column + (k + 0.5) / along) * PP_SKY_PICTURE_COLUMN_RAD;
             struct pp_vec3 u = pp_vec(cos(a) * sin(b), cos(a) * cos(b), sin(a));
             bool fill;
             double value = pp_sky_picture_luminance(picture, u, &fill);
@@ -309,14 +307,14 @@ static double cell_mean(const struct pp_sky_picture *picture, int row, int colum
 
 static enum pp_status fill_cells(struct pp_sky_picture *picture, struct pp_error *err)
 {
-    size_t count = (size_t)PP_SKY_PICTURE_ROWS * PP_SKY_PICTURE_COLUMNS;
-    picture->cells = malloc(count * sizeof *picture->cells);
+    picture->cells = malloc(PP_SKY_PICTURE_CELLS * sizeof *picture->cells);
     if (!picture->cells)
         return pp_fail_memory(err);
     double sum = 0.0, of_fill = 0.0;
     for (int row = 0; row < PP_SKY_PICTURE_ROWS; row++) {
-        double low = sin(row * ROW_RAD), high = sin((row + 1) * ROW_RAD);
-        double weight = 0.5 * (high * high - low * low) * COLUMN_RAD;
+        double low = sin(row * PP_SKY_PICTURE_ROW_RAD),
+               high = sin((row + 1) * PP_SKY_PICTURE_ROW_RAD);
+        double weight = 0.5 * (high * high - low * low) * PP_SKY_PICTURE_COLUMN_RAD;
         for (int column = 0; column < PP_SKY_PICTURE_COLUMNS; column++) {
             double filled, mean = cell_mean(picture, row, column, &filled);
             picture->cells[row * PP_SKY_PICTURE_COLUMNS + column] = (float)mean;
@@ -337,10 +335,11 @@ double pp_sky_picture_on_plane(const struct pp_sky_picture *picture, struct pp_v
 {
     double sum = 0.0;
     for (int row = 0; row < PP_SKY_PICTURE_ROWS; row++) {
-        double a = (row + 0.5) * ROW_RAD, sine = sin(a), cosine = cos(a), total = 0.0;
-        double omega = (sin((row + 1) * ROW_RAD) - sin(row * ROW_RAD)) * COLUMN_RAD;
+        double a = (row + 0.5) * PP_SKY_PICTURE_ROW_RAD, sine = sin(a), cosine = cos(a),
+               total = 0.0;
+        double omega = pp_sky_picture_solid_angle(row * PP_SKY_PICTURE_COLUMNS);
         for (int column = 0; column < PP_SKY_PICTURE_COLUMNS; column++) {
-            double b = (column + 0.5) * COLUMN_RAD;
+            double b = (column + 0.5) * PP_SKY_PICTURE_COLUMN_RAD;
             double facing = n.z * sine + cosine * (n.x * sin(b) + n.y * cos(b));
             if (facing > 0.0)
                 total +=
@@ -362,8 +361,7 @@ static void scale_luminance(struct pp_sky_picture *picture, double factor)
         for (size_t k = 0; k < count; k++)
             frame->luminance[k] = (float)(factor * (double)frame->luminance[k]);
     }
-    size_t count = (size_t)PP_SKY_PICTURE_ROWS * PP_SKY_PICTURE_COLUMNS;
-    for (size_t k = 0; k < count; k++)
+    for (size_t k = 0; k < PP_SKY_PICTURE_CELLS; k++)
         picture->cells[k] = (float)(factor * (double)picture->cells[k]);
     picture->horizontal_lx *= factor;
     picture->peak_cd_m2 *= factor;

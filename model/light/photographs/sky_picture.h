@@ -12,6 +12,7 @@
 #ifndef PP_MODEL_LIGHT_PHOTOGRAPHS_SKY_PICTURE_H
 #define PP_MODEL_LIGHT_PHOTOGRAPHS_SKY_PICTURE_H
 
+#include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -33,10 +34,17 @@ struct pp_sky_frame {
 
 /* Table of mean luminances: rows of equal altitude steps from the horizon upwards,
  * columns of equal bearing steps clockwise from north. */
-enum { PP_SKY_PICTURE_ROWS = 256, PP_SKY_PICTURE_COLUMNS = 1024 };
+enum {
+    PP_SKY_PICTURE_ROWS = 256,
+    PP_SKY_PICTURE_COLUMNS = 1024,
+    PP_SKY_PICTURE_CELLS = PP_SKY_PICTURE_ROWS * PP_SKY_PICTURE_COLUMNS
+};
+#define PP_SKY_PICTURE_ROW_RAD (PP_PI / 2.0 / PP_SKY_PICTURE_ROWS)
+#define PP_SKY_PICTURE_COLUMN_RAD (2.0 * PP_PI / PP_SKY_PICTURE_COLUMNS)
 
-/* How simulations find the light of a photograph: its bright parts are sampled directly
- * (sky_bright.h), or a cube of lamps (sky_cube.h), or all light is found by chance. */
+/* Ways in which simulations find the light of a photograph: its bright parts are
+ * sampled directly (sky_bright.h), or a cube of lamps (sky_cube.h), or all light is
+ * found by chance. */
 enum pp_sky_sampling {
     PP_SKY_SAMPLE_BRIGHT,
     PP_SKY_SAMPLE_LAMPS,
@@ -110,6 +118,26 @@ static inline bool pp_sky_picture_direction(const struct pp_sky_frame *frame, do
         pp_vec_along(pp_vec_along(pp_vec_scale(frame->right, own.x), own.y, frame->up),
                      own.z, frame->toward);
     return true;
+}
+
+/* Index of the table's cell in unit direction u, not below the horizon. */
+static inline int pp_sky_picture_cell(struct pp_vec3 u)
+{
+    double bearing = atan2(u.x, u.y);
+    int row = (int)(asin(fmax(0.0, fmin(1.0, u.z))) / PP_SKY_PICTURE_ROW_RAD);
+    int column = (int)((bearing < 0.0 ? bearing + 2.0 * PP_PI : bearing)
+                       / PP_SKY_PICTURE_COLUMN_RAD);
+    row = row < PP_SKY_PICTURE_ROWS ? row : PP_SKY_PICTURE_ROWS - 1;
+    column = column < PP_SKY_PICTURE_COLUMNS ? column : PP_SKY_PICTURE_COLUMNS - 1;
+    return row * PP_SKY_PICTURE_COLUMNS + column;
+}
+
+static inline double pp_sky_picture_solid_angle(int cell)
+{
+    int row = cell / PP_SKY_PICTURE_COLUMNS;
+    return PP_SKY_PICTURE_COLUMN_RAD
+           * (sin((row + 1) * PP_SKY_PICTURE_ROW_RAD)
+              - sin(row * PP_SKY_PICTURE_ROW_RAD));
 }
 
 #endif

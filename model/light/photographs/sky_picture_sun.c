@@ -43,15 +43,8 @@ static bool pixel_of(const struct pp_sky_frame *frame, struct pp_vec3 to, int *x
 /* Adds light from a direction, in lux, to the cell that contains it. */
 static void add_to_cell(struct pp_sky_picture *picture, struct pp_vec3 to, double lux)
 {
-    const double row_rad = PP_PI / 2.0 / PP_SKY_PICTURE_ROWS;
-    const double column_rad = 2.0 * PP_PI / PP_SKY_PICTURE_COLUMNS;
-    double bearing = atan2(to.x, to.y);
-    int row = (int)(asin(fmax(0.0, fmin(1.0, to.z))) / row_rad);
-    int column = (int)((bearing < 0.0 ? bearing + 2.0 * PP_PI : bearing) / column_rad);
-    row = row < PP_SKY_PICTURE_ROWS ? row : PP_SKY_PICTURE_ROWS - 1;
-    column = column < PP_SKY_PICTURE_COLUMNS ? column : PP_SKY_PICTURE_COLUMNS - 1;
-    double solid_angle = column_rad * (sin((row + 1) * row_rad) - sin(row * row_rad));
-    picture->cells[row * PP_SKY_PICTURE_COLUMNS + column] += (float)(lux / solid_angle);
+    int cell = pp_sky_picture_cell(to);
+    picture->cells[cell] += (float)(lux / pp_sky_picture_solid_angle(cell));
 }
 
 /* Adds the light of a pixel, in lux, to the cells. Between pixel centres, luminance is
