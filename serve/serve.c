@@ -14,6 +14,7 @@
 #include "serve/http/http_request.h"
 #include "serve/serve_address.h"
 #include "serve/server.h"
+#include "serve/server_clock.h"
 #include "serve/stores/weather_store.h"
 #include "serve/work/work_line.h"
 
@@ -28,13 +29,6 @@ static enum pp_status fail_serve(struct pp_error *err, const char *what)
         snprintf(err->message, sizeof err->message, "%s", what);
     }
     return PP_SYSTEM;
-}
-
-static double serve_clock(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
 static void sleep_s(double seconds)
@@ -112,15 +106,16 @@ static bool end_server(struct pp_server *server)
     MHD_socket listening = MHD_quiesce_daemon(server->daemon);
     if (listening != MHD_INVALID_SOCKET)
         close(listening);
-    double began = serve_clock();
-    while (serve_clock() < began + work_ends_s && count_work(server) > 0)
+    double began = pp_server_clock();
+    while (pp_server_clock() < began + work_ends_s && count_work(server) > 0)
         sleep_s(0.02);
     atomic_store(&server->ending, true);
-    if (!pp_work_line_destroy(server->programs, began + waiting_ends_s - serve_clock())
+    if (!pp_work_line_destroy(server->programs,
+                              began + waiting_ends_s - pp_server_clock())
         || !pp_work_line_destroy(server->studies,
-                                 began + waiting_ends_s - serve_clock()))
+                                 began + waiting_ends_s - pp_server_clock()))
         return false;
-    while (serve_clock() < began + sending_ends_s) {
+    while (pp_server_clock() < began + sending_ends_s) {
         const union MHD_DaemonInfo *info =
             MHD_get_daemon_info(server->daemon, MHD_DAEMON_INFO_CURRENT_CONNECTIONS);
         if (!info || info->num_connections == 0)

@@ -10,8 +10,9 @@
 #include <string.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
+
+#include "serve/server_clock.h"
 
 extern char **environ;
 
@@ -108,18 +109,11 @@ static bool take_output(int *pipe, char **bytes, size_t *length, size_t most)
     return *length <= most;
 }
 
-static double child_clock(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 /* Writes the input, and reads standard output and standard error to their ends. */
 static enum pp_child_end pump(struct pp_child_result *result, struct pp_task *task,
                               struct pipes *pipes, const char *input, size_t left)
 {
-    double last = child_clock() + PP_CHILD_SECONDS_MOST;
+    double last = pp_server_clock() + PP_CHILD_SECONDS_MOST;
     fcntl(pipes->in[1], F_SETFL, O_NONBLOCK);
     while (pipes->out[0] >= 0 || pipes->err[0] >= 0) {
         struct pollfd ends[] = {{.fd = pipes->out[0], .events = POLLIN},
@@ -131,7 +125,7 @@ static enum pp_child_end pump(struct pp_child_result *result, struct pp_task *ta
         poll(ends, 3, 40);
         if (pp_task_is_cancelled(task))
             return PP_CHILD_CANCELLED;
-        if (child_clock() > last)
+        if (pp_server_clock() > last)
             return PP_CHILD_LIMIT;
         if ((ends[0].revents
              && !take_output(&pipes->out[0], &result->output, &result->length,
