@@ -163,8 +163,8 @@ void pp_perez_sky_irradiances(double *direct_w_m2, double *diffuse_w_m2,
                               double sun_distance_au)
 {
     double Z = clamped_zenith(sin(altitude_rad));
-    *diffuse_w_m2 =
-        brightness * 1367.0 / (sun_distance_au * sun_distance_au * air_mass(Z));
+    *diffuse_w_m2 = brightness * PP_PEREZ_SKY_SOLAR_W_M2
+                    / (sun_distance_au * sun_distance_au * air_mass(Z));
     *direct_w_m2 = *diffuse_w_m2 * (clearness - 1.0) * (1.0 + 1.041 * Z * Z * Z);
 }
 
@@ -178,8 +178,8 @@ struct pp_perez_sky pp_perez_sky_of(const struct pp_perez_conditions *conditions
                        : En > 0.0 ? INFINITY
                                   : 1.0;
     sky.clearness = limited(clearness, 1.0, EPS_MOST, PP_PEREZ_CLEARNESS, &sky.limits);
-    sky.brightness = limited(Ed * mass * distance * distance / 1367.0, D_LEAST, D_MOST,
-                             PP_PEREZ_BRIGHTNESS, &sky.limits);
+    sky.brightness = limited(Ed * mass * distance * distance / PP_PEREZ_SKY_SOLAR_W_M2,
+                             D_LEAST, D_MOST, PP_PEREZ_BRIGHTNESS, &sky.limits);
     while (sky.clearness >= bins[sky.bin - 1][EPS_HIGH])
         sky.bin++;
     const double *row = bins[sky.bin - 1];

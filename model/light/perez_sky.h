@@ -75,6 +75,9 @@ struct pp_perez_sky {
     unsigned limits; /* enum pp_perez_limit */
 };
 
+/* Solar irradiance outside the atmosphere at the mean distance of the sun, W/m2. */
+#define PP_PEREZ_SKY_SOLAR_W_M2 1367.0
+
 /* Diffuse irradiance (W/m2) at which the sky has this brightness D, and direct normal
  * irradiance at which it then has the clearness eps, for the sun at this altitude (rad)
  * and distance. */

@@ -186,15 +186,18 @@ static double erbs_fraction(double kt)
     return 0.9511 + kt * (-0.1604 + kt * (4.388 + kt * (-16.638 + kt * 12.336)));
 }
 
+/* Illuminance by the sun outside the atmosphere, as in gendaylit. */
+static const double solar_lx = 127500.0;
+
 /* Finds the irradiances whose sky has these illuminances (lx). The luminous efficacies
  * depend on the irradiances, so that they are found by iteration. Like gendaylit, this
  * stops after nine steps; near the limits of a bin the values need not converge. */
 static void find_irradiances(struct pp_perez_conditions *weather, double direct_lx,
                              double diffuse_lx)
 {
-    static const double solar_w_m2 = 1367.0, solar_lx = 127500.0, least_w_m2 = 1e-6;
-    weather->direct_w_m2 = direct_lx * solar_w_m2 / solar_lx;
-    weather->diffuse_w_m2 = diffuse_lx * solar_w_m2 / solar_lx;
+    static const double least_w_m2 = 1e-6;
+    weather->direct_w_m2 = direct_lx * PP_PEREZ_SKY_SOLAR_W_M2 / solar_lx;
+    weather->diffuse_w_m2 = diffuse_lx * PP_PEREZ_SKY_SOLAR_W_M2 / solar_lx;
     for (int i = 0; i < 9 && diffuse_lx > 0.0; i++) {
         struct pp_perez_conditions now = *weather;
         now.direct_w_m2 = fmax(now.direct_w_m2, least_w_m2);
@@ -210,7 +213,7 @@ static void set_irradiances(struct pp_perez_conditions *weather,
                             const struct gendaylit_options *asked, double altitude)
 {
     double distance = weather->sun_distance_au, global = asked->first;
-    double outside = 1367.0 / (distance * distance) * sin(altitude);
+    double outside = PP_PEREZ_SKY_SOLAR_W_M2 / (distance * distance) * sin(altitude);
     switch (asked->input) {
     case 'P': /* within the limits of the model; eps above 12.01 becomes 12.009, as in
                * gendaylit */
@@ -238,7 +241,6 @@ static void set_irradiances(struct pp_perez_conditions *weather,
 bool pp_rad_gendaylit_evaluate(struct pp_gensky *sky, char *const *words, int count,
                                char *wrong, size_t room)
 {
-    static const double solar_w_m2 = 1367.0, solar_lx = 127500.0;
     struct gendaylit_options asked = {
         .sun = true, .dew_point_c = 10.97353115, .ground = 0.2};
     double altitude, azimuth;
@@ -266,7 +268,7 @@ bool pp_rad_gendaylit_evaluate(struct pp_gensky *sky, char *const *words, int co
         perez.diffuse_lx = asked.second;
     }
     if (perez.limits & PP_PEREZ_B_POSITIVE || !(weather.diffuse_w_m2 > 0.0)
-        || weather.direct_w_m2 > solar_w_m2 || perez.direct_lx > solar_lx)
+        || weather.direct_w_m2 > PP_PEREZ_SKY_SOLAR_W_M2 || perez.direct_lx > solar_lx)
         return complain_of(
             wrong, room, "gendaylit has no sky for these values; expected others", "");
     if (asked.colour && !(perez.clearness > 1.065 && perez.clearness < 4.5))
