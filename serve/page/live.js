@@ -14,7 +14,7 @@ let running = false, wanted = false, restTimer = 0, isDue = false;
 let trace = null; // an AbortController
 let asked = 0;
 
-// Times of the last updates, for the benchmark: server and transfer, drawing.
+// Times of the last contours, for the benchmark: server and transfer, drawing.
 export const timings = [];
 
 export const switches = { trace: true, error: 1, curves: 'exact+bre' };
@@ -25,20 +25,18 @@ function optionsOf(more = {}) {
     return options;
 }
 
+// The curve follows the contours: on two cores, both at once would only delay the contours.
 async function updateOnce() {
     const text = board.text, from = performance.now();
     const tolerance = board.isHeld ? COARSE : FINE;
-    const plan = engine.plan(text, optionsOf({ tolerance, ...(board.method ? { methods: board.method } : {}) }));
-    const cut = board.cut && board.results.scene ? pointsOfCut(board.results.scene, board.cut) : [];
-    const section = cut.length ? engine.df(text, optionsOf({ methods: switches.curves, points: cut })).catch(() => null) : Promise.resolve(null);
-    const [answer, curve] = await Promise.all([plan, section]);
+    const answer = await engine.plan(text, optionsOf({ tolerance, ...(board.method ? { methods: board.method } : {}) }));
     const got = performance.now();
-    const hadCut = Boolean(board.cut);
     board.cut = chooseCut(answer.scene);
-    if (board.cut && !hadCut) wanted = true; // the curve follows, now that its line is known
-    board.settle({ scene: answer.scene, plan: answer.plan, why: answer.why ?? '', section: curve, mistakes: [], error: null });
+    board.settle({ scene: answer.scene, plan: answer.plan, why: answer.why ?? '', mistakes: [], error: null });
     timings.push({ answered: got - from, drawn: performance.now() - got });
     if (timings.length > 500) timings.shift();
+    const points = board.cut ? pointsOfCut(answer.scene, board.cut) : [];
+    board.settle({ section: points.length ? await engine.df(text, optionsOf({ methods: switches.curves, points })).catch(() => null) : null });
 }
 
 async function update() {
@@ -136,7 +134,8 @@ async function askPoint() {
 export function setUpLive() {
     board.on('text', (event) => {
         if (trace) stopTrace();
-        board.settle({ trace: null, traced: null, traceError: '' });
+        const { trace: shown, traced, traceError } = board.results;
+        if (shown || traced || traceError) board.settle({ trace: null, traced: null, traceError: '' });
         if (['open', 'room', 'variant'].includes(event.detail.from)) {
             board.cut = null;
             Object.assign(board.results, { scene: null, df: null, all: null, point: null, section: null });

@@ -38,11 +38,15 @@ const drawAxon = createAxonView($('lower'), () => {
     return { month: month || 3, day: day || 21, time: (hours || 0) + (minutes || 0) / 60 };
 });
 
-function draw() {
-    drawPlan();
+function drawLower() {
     $('lower').dataset.mode = lowerMode;
     if (lowerMode === 'axon') drawAxon();
     else drawSection(lowerMode);
+}
+
+function draw() {
+    drawPlan();
+    drawLower();
 }
 
 // ---- tabs: buttons of a tablist, by pointer and arrow keys ----
@@ -178,6 +182,7 @@ async function start() {
         board.method = event.target.value;
         board.tell('text', { from: 'method' });
     });
+    setUpLive(); // first, so that a request leaves before the page is drawn
     setUpProperties();
     setUpResults();
     setUpCriteria();
@@ -185,7 +190,6 @@ async function start() {
     setUpYear();
     setUpFiles();
     setUpBar();
-    setUpLive();
     setUpTabs($('lower-tabs'), (mode) => {
         lowerMode = mode;
         $('sun').hidden = mode !== 'axon';
@@ -203,11 +207,13 @@ async function start() {
     for (const id of ['sun-date', 'sun-time']) $(id).addEventListener('input', draw);
     board.on('text', () => {
         drawChoices();
+        draw(); // so that handles and parts belong to the new text
         writeAddress(board.variants[0].text, board.variants[1]?.text);
     });
     board.on('selection', draw);
     board.on('results', (event) => {
-        if (['scene', 'trace', 'section'].some((k) => k in event.detail)) draw();
+        if ('scene' in event.detail || 'trace' in event.detail) draw();
+        else if ('section' in event.detail) drawLower();
     });
     board.open(await firstRoom(address, server));
     if (address.other) {
