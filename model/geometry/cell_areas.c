@@ -38,11 +38,28 @@ static int nearest_point(const bool *is_point, const struct pp_cell_grid *grid, 
     return nearest;
 }
 
+/* True if the region is a rectangle with sides along x and y: no edge cuts a cell. */
+static bool is_upright_rectangle(const struct pp_region *region)
+{
+    const struct pp_ring *ring = region->rings;
+    if (region->count != 1 || ring->count != 4)
+        return false;
+    for (int i = 0, k = 3; i < 4; k = i++)
+        if (ring->xy[i][0] != ring->xy[k][0] && ring->xy[i][1] != ring->xy[k][1])
+            return false;
+    return true;
+}
+
 void pp_cell_areas_find(double *areas, const bool *is_point,
                         const struct pp_region *region, const struct pp_cell_grid *grid)
 {
     double part = grid->step[0] * grid->step[1] / (PARTS * PARTS);
     double radius = 0.5 * hypot(grid->step[0], grid->step[1]);
+    if (is_upright_rectangle(region)) {
+        for (int cell = 0; cell < grid->columns * grid->rows; cell++)
+            areas[cell] = is_point[cell] ? grid->step[0] * grid->step[1] : 0.0;
+        return;
+    }
     for (int cell = 0; cell < grid->columns * grid->rows; cell++)
         areas[cell] = 0.0; /* first the number of parts */
     for (int j = 0; j < grid->rows; j++)

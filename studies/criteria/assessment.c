@@ -87,6 +87,7 @@ static struct pp_inquiry inquiry_of(const struct pp_assessment *assessment,
         .french_m = options->french_m,
         .least_altitude_rad = options->least_altitude_rad,
         .shortest_h = options->shortest_h,
+        .threads = options->study->threads,
         .country = options->profile && !own[0] ? options->profile->country : own,
     };
 }

@@ -64,6 +64,7 @@ struct pp_inquiry {
                                          * none */
     const char *country; /* ISO 3166 code of the country whose rules apply; "":
                                 * unknown */
+    int threads;         /* 0: one for each processor */
 };
 
 struct pp_criterion {

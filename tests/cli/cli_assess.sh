@@ -89,6 +89,8 @@ check "an illuminance of one's own" shows "9999 lx: as given" \
 "$pepperpot" assess --by-hand --format json "$deep" -o "$scratch/out.json"
 check "a file instead of standard output" \
     grep -q '"format": "pepperpot-assess-1"' "$scratch/out.json"
+check "3 threads give the same bytes as 1 by hand" same_by_threads "1 3" \
+    assess --by-hand -c view-out --format json "$deep"
 check "3 threads give the same bytes as 1" same_by_threads "1 3" \
     assess --simulate --spacing largest --samples 16 --format json "$deep"
 interrupted assess --simulate --error 0.01% -c average,uniformity --format json "$deep"

@@ -11,8 +11,10 @@
  * the walls. Eyes are 1.2 m above the floor, as for people who sit.
  */
 #include <math.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 
+#include "model/base/thread_pool.h"
 #include "simulate/scene/light_scene_of_world.h"
 #include "studies/criteria/bearing.h"
 #include "studies/criteria/criteria.h"
@@ -42,26 +44,50 @@ static double value_reached(double *values, int count)
     return values[(int)ceil(part * count - 1e-9) - 1];
 }
 
+/* Work of the threads: the view from each point of the grid. */
+struct views_work {
+    const struct pp_world *world;
+    const struct pp_light_scene *scene;
+    const struct pp_plane_grid *grid;
+    struct pp_view_out *views;
+    atomic_bool failed;
+};
+
+static bool find_view(void *data, int worker, int i)
+{
+    (void)worker;
+    struct views_work *work = data;
+    struct pp_vec3 eye = work->grid->receivers[i].position;
+    eye.z = eye_m;
+    if (pp_view_out_from(&work->views[i], work->world, work->scene, eye,
+                         PP_VIEW_OUT_LINES, NULL)
+        != PP_OK)
+        atomic_store(&work->failed, true);
+    return !atomic_load(&work->failed);
+}
+
 /* Views from all points of the grid, in its order; the caller frees them. */
 static enum pp_status find_views(struct pp_view_out **views,
-                                 const struct pp_world *world,
+                                 const struct pp_inquiry *inquiry,
                                  const struct pp_plane_grid *grid, struct pp_error *err)
 {
-    struct pp_light_scene *scene;
+    struct pp_light_scene *scene = NULL;
+    struct pp_thread_pool *pool = NULL;
     struct pp_view_out *list = calloc((size_t)grid->count, sizeof *list);
     *views = NULL;
     if (!list)
         return pp_fail_memory(err);
-    enum pp_status status = pp_light_scene_of_world_matt(&scene, world, err);
+    enum pp_status status = pp_light_scene_of_world_matt(&scene, inquiry->world, err);
+    if (status == PP_OK)
+        status = pp_thread_pool_create(&pool, inquiry->threads, err);
     if (status == PP_OK) {
-        for (int i = 0; i < grid->count && status == PP_OK; i++) {
-            struct pp_vec3 eye = grid->receivers[i].position;
-            eye.z = eye_m;
-            status =
-                pp_view_out_from(&list[i], world, scene, eye, PP_VIEW_OUT_LINES, err);
-        }
-        pp_light_scene_destroy(scene);
+        struct views_work work = {inquiry->world, scene, grid, list, false};
+        pp_thread_pool_run(pool, 0, grid->count, find_view, &work);
+        if (work.failed)
+            status = pp_fail_memory(err);
     }
+    pp_thread_pool_destroy(pool);
+    pp_light_scene_destroy(scene);
     if (status == PP_OK)
         *views = list;
     else
@@ -163,7 +189,7 @@ static enum pp_status assess_view(const struct pp_inquiry *inquiry,
                                   "each figure is the value that 75 %% of the points "
                                   "reach, 1.2 m above the floor, on %s; ",
                                   words);
-        status = find_views(&views, inquiry->world, &grid, err);
+        status = find_views(&views, inquiry, &grid, err);
         if (status == PP_OK)
             status = add_views(findings, views, grid.count, err);
         free(views);
