@@ -21,7 +21,7 @@ void pp_progress_begin(struct pp_progress *progress, const char *label, bool qui
     *progress = (struct pp_progress){.shown = !quiet && isatty(STDERR_FILENO),
                                      .started_s = now,
                                      .last_s = now,
-                                     .label = label};
+                                     .label = label ? label : "room"};
 }
 
 void pp_progress_resume(struct pp_progress *progress, double done)

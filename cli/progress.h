@@ -10,9 +10,10 @@ struct pp_progress {
     double started_s;  /* time of the start, by pp_clock_s */
     double last_s;     /* time when the line was last drawn */
     double before;     /* progress at the start or resumption, 0 to 1 */
-    const char *label; /* name of the room; not owned */
+    const char *label; /* name of the room, or "room"; not owned */
 };
 
+/* label: name of the room; NULL: it has none. */
 void pp_progress_begin(struct pp_progress *progress, const char *label, bool quiet);
 
 /* Sets the progress at which the computation resumes. The remaining time is estimated

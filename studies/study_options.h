@@ -19,7 +19,8 @@ struct pp_point_list {
  * stop. All NULL: no watch. The callbacks are called from one thread, between two
  * slices of work. */
 struct pp_watch {
-    /* Called when work begins. name: subject of the progress display, usually the room.
+    /* Called when work begins. name: subject of the progress display, usually the room;
+     * NULL: a room without a name.
      * Returns true if progress is shown. */
     bool (*begin)(void *data, const char *name);
     /* Reports progress. done: 0 to 1; error: largest standard error divided by daylight

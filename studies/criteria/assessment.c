@@ -116,13 +116,21 @@ static bool is_of_states(const struct pp_criterion *criterion)
     return criterion->of_states;
 }
 
+static int criteria_count(void)
+{
+    int count = 0;
+    while (pp_criteria_at(count))
+        count++;
+    return count;
+}
+
 /* Assesses the room by the chosen criteria and the rules (if any) for which `applies`
- * is true. */
+ * is true. The watch shows progress; it cannot stop the work. */
 static enum pp_status judge_criteria(struct pp_answer_list *answers,
                                      const struct pp_inquiry *inquiry,
                                      const bool chosen[PP_CRITERIA_MOST],
                                      bool (*applies)(const struct pp_criterion *),
-                                     struct pp_error *err)
+                                     const struct pp_watch *watch, struct pp_error *err)
 {
     *answers = (struct pp_answer_list){
         .list = calloc(PP_CRITERIA_MOST, sizeof *answers->list)};
@@ -130,7 +138,10 @@ static enum pp_status judge_criteria(struct pp_answer_list *answers,
         return pp_fail_memory(err);
     enum pp_status status = PP_OK;
     const struct pp_criterion *criterion;
+    bool watched = watch->begin && watch->begin(watch->data, inquiry->world->name);
     for (int i = 0; status == PP_OK && (criterion = pp_criteria_at(i)) != NULL; i++) {
+        if (watched)
+            watch->look(watch->data, (double)i / criteria_count(), NAN);
         if (!chosen[i] || !applies(criterion)
             || (criterion->needs_before && !inquiry->before)
             || (criterion->needs_mirror_image && !inquiry->mirrored)
@@ -145,6 +156,8 @@ static enum pp_status judge_criteria(struct pp_answer_list *answers,
         answer->criterion = &inquiry->rules->criterion;
         status = answer->criterion->evaluate(inquiry, &answer->findings, err);
     }
+    if (watched)
+        watch->end(watch->data);
     return status;
 }
 
@@ -156,7 +169,8 @@ static enum pp_status judge_room(struct pp_assessment *assessment,
                                  struct pp_error *err)
 {
     const struct pp_inquiry inquiry = inquiry_of(assessment, options);
-    return judge_criteria(&assessment->answers, &inquiry, chosen, applies, err);
+    return judge_criteria(&assessment->answers, &inquiry, chosen, applies,
+                          &options->study->watch, err);
 }
 
 /* Assesses sky and sun in the cumulative state. */
@@ -170,7 +184,7 @@ static enum pp_status judge_cumulative(struct pp_assessment *assessment,
     inquiry.light = &assessment->cumulative->light;
     inquiry.pairs = assessment->cumulative_pairs;
     return judge_criteria(&assessment->cumulative_answers, &inquiry, chosen,
-                          is_of_states, err);
+                          is_of_states, &options->study->watch, err);
 }
 
 /* ---- the grid ---- */
@@ -439,7 +453,8 @@ enum pp_status pp_assessment_judge(struct pp_assessment *assessment,
                             && !options->verdicts_only;
     if (status == PP_OK && assessment->has_gains)
         status = pp_gains_find(&assessment->gains, assessment->room->room,
-                               assessment->room->world, &assessment->room->light, err);
+                               assessment->room->world, &assessment->room->light,
+                               &options->study->watch, err);
     if (status == PP_OK && assessment->has_gains && options->study->simulate)
         status = pp_gains_simulate(&assessment->gains, assessment->room->room,
                                    assessment->room->world, &assessment->room->light,

@@ -46,11 +46,11 @@ struct pp_gains {
 };
 
 /* Evaluates and ranks the changes that apply to the room. `world` must be made from
- * `room`. */
+ * `room`. The watch shows progress; it cannot stop the work. */
 enum pp_status pp_gains_find(struct pp_gains *gains, const struct pp_room *room,
                              const struct pp_world *world,
                              const struct pp_outside_light *light,
-                             struct pp_error *err);
+                             const struct pp_watch *watch, struct pp_error *err);
 
 /* Replaces the values by hand by simulated values, for the room and for the
  * PP_GAINS_SIMULATED changes with the greatest averages by hand. Other changes are

@@ -53,7 +53,8 @@ static void gains_by(struct pp_gains *gains, const char *xml,
                      PP_OK);
     struct pp_outside_light light;
     struct pp_world *world = pp_test_lit_world(&light, xml);
-    if (pp_gains_find(gains, pp_building_room(building, 0), world, &light, &err)
+    if (pp_gains_find(gains, pp_building_room(building, 0), world, &light,
+                      &(struct pp_watch){0}, &err)
         != PP_OK)
         fail_msg("%s", err.message);
     if (simulated
