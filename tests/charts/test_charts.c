@@ -284,7 +284,7 @@ static void a_report_without_values_has_a_note_on_the_chart(void **state)
     char *pdf = section(&report, false, PP_CHART_PDF, &length);
     assert_says(pdf, length, sayings);
 
-    /* All values null, on both scales. */
+    /* All values null, on every scale. */
     add_columns(&report);
     for (int c = 0; c < 3; c++)
         for (int i = 0; i < report.receiver_count; i++)
@@ -341,8 +341,7 @@ static void dozens_of_methods_get_a_legend(void **state)
     pp_world_destroy(world);
 }
 
-/* --- plan ----------------------------------------------------------------------------
- */
+/* ---- plan ---- */
 
 static double no_sky_xy[][2] = {{0.6, 4.0}, {2.6, 4.0}};
 static double contour_xy[][2] = {{0.0, 2.0}, {1.7, 2.9}, {3.2, 2.0}};
@@ -461,8 +460,7 @@ static void small_rooms_and_halls_find_a_usual_scale(void **state)
     }
 }
 
-/* --- axes and numbers ----------------------------------------------------------------
- */
+/* ---- axes and numbers ---- */
 
 static void ticks_are_round_and_cover_the_values(void **state)
 {

@@ -79,14 +79,14 @@ says() {
 }
 
 # too_wide: lines of the output with more than 80 characters, except lines that contain the path of
-# a file.
+# an example.
 too_wide() {
     # Continuation bytes of UTF-8 do not count as characters.
     LC_ALL=C awk -v files="$examples/" '{ line = $0; gsub(/[\200-\277]/, "", line) }
         length(line) > 80 && !index($0, files)' "$scratch/out"
 }
 
-# untidy: lines of the output that are too wide, end with a blank, or contain "nan".
+# untidy: lines of the output that are too wide, end with a blank, or contain "nan" or "inf".
 untidy() {
     too_wide
     grep -n ' $' "$scratch/out"
@@ -153,7 +153,8 @@ has_words() {
     done
 }
 
-# simulates PID: succeeds if the process catches signals and has used a second of CPU time.
+# simulates PID: succeeds if the process catches SIGTERM and has used a second of CPU time since it
+# was first found to do so.
 simulates() {
     caught=$(sed -n 's/^SigCgt:.*\(....\)$/\1/p' "/proc/$1/status")
     busy=$(awk '{ print $14 + $15 }' "/proc/$1/stat")

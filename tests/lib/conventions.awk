@@ -91,7 +91,7 @@ function say_shade() {
         print "<balcony depth=\"1.2\" left=\"0.5\" right=\"0.4\" level=\"0.02\" parapet=\"1\" reflectance=\"0.3\"/>"
 }
 
-# The rectangle of the façade in the plane of the glass; the wall of the skyline.
+# The façade, 2 mm in front of the plane of the glass; the wall of the skyline; the ground.
 function write_outside(bottom, top, corners, i) {
     bottom = -up_to_ground < ground ? ground : -up_to_ground
     if (facade)
@@ -102,7 +102,7 @@ function write_outside(bottom, top, corners, i) {
     if (skyline == "far") # Ev/Eh of the overcast sky, before a ground that reflects nothing
         upright(-90000, 90000, 1800, -1, 1800 * sin(angle) / cos(angle), \
             sprintf("reflectance=\"0\" exitance=\"%.9g\"", opposite * 0.39617))
-    for (i = 0; i < 4 && soil > 0; i++) # 5 mm under the floor at most, to be outside
+    for (i = 0; i < 4 && soil > 0; i++) # at least 5 mm under the floor, to be outside
         corners = corners sprintf("<vertex x=\"%d\" y=\"%d\" z=\"%g\"/>", \
             i == 1 || i == 2 ? 9000 : -9000, i > 1 ? 9000 : -9000, ground - 0.005)
     if (soil > 0)

@@ -48,8 +48,8 @@ static inline struct pp_world *pp_test_equilibrium(struct pp_outside_light *ligh
     "reveal='0.35'/><rooflight x='0.6' y='1.9' width='1.1' depth='1.3' "               \
     "reveal='0.5'/>" PP_TEST_BOX_POINTS "</room>"
 
-/* An L-shape with a block outside and a surface inside, and its points. Each of its two
- * windows faces the other one's wall. */
+/* An L-shape with a block outside and a surface inside, and its points. The wall of
+ * each of its two windows is visible from the other window. */
 #define PP_TEST_L_SHAPED_ROOM                                                          \
     "<room version='1'><plan height='2.6'><vertex x='0' y='0'/>"                       \
     "<vertex x='5' y='0'/><vertex x='5' y='2'/><vertex x='2' y='2'/>"                  \

@@ -8,8 +8,8 @@
 #include "studies/year/annual.h"
 #include "tests/lib/near.h"
 
-/* A made-up year: at most 240 hours, on each day from 1 January the 20 hours from
- * midnight on, with the given skies. */
+/* A made-up year: at most 240 hours, the 20 hours from midnight on the first day of each
+ * month, with the given skies. */
 struct pp_test_year {
     struct pp_epw epw;
     struct pp_weather_year year;

@@ -62,7 +62,7 @@ function block(u0, v0, u1, v1, height, roof,    x0, y0, x1, y1) {
 
 # ---- windows ----
 
-# Glass, frame, dirt and wall of all windows of the room.
+# Glazing, frame factor, maintenance factor and reveal of all windows of the room.
 function choose_glazing() {
     if (is_home)
         glazing = one_of("clear-single clear-double clear-double clear-double low-e-double " \
@@ -142,7 +142,7 @@ function outside(kind,    angle, high, d, middle, from, to, house, fence) {
         say("  <skyline wall=\"" wall_name(0) "\"" has("angle", angle) has("reflectance",
             one_of(".1 .2 .2 .2 .3")) "/>")
         obstruction = angle
-    } else if (kind == "distant-street") { # a skyline that stands somewhere
+    } else if (kind == "distant-street") { # a skyline with a distance
         angle = between(10, ground_floor ? 50 : 35, 5)
         d = one_of("8 10 12 12 15 18 20 25")
         say("  <skyline wall=\"" wall_name(0) "\"" has("angle", angle) has("distance", d) \

@@ -35,8 +35,8 @@ contours_of() {
         return !within
     }
     # The point in the middle of the segment after corner k of a line, and the points on its sides.
-    # Segments are skipped if the line bends sharply within its width, or if a wall is so close
-    # that one of the points may be in it.
+    # Segments are skipped if the line bends sharply within four times its width, or if a wall is
+    # so close that one of the points may be in it.
     function look_at(k, m,    x, y, dx, dy, l, a, b, ax, ay, bx, by) {
         x = (vx[k] + vx[k + 1]) / 2; y = (vy[k] + vy[k + 1]) / 2
         dx = vx[k + 1] - vx[k]; dy = vy[k + 1] - vy[k]

@@ -1,9 +1,9 @@
 /* sized.h - the size of tests with many cases or paths.
  *
  * `make check` runs them at gate size; `make check-long` runs the test programs with
- * --full. A build with AddressSanitizer is up to ten times slower and uses the smallest
- * size, since memory errors appear in the first cases as well. Tolerances follow the
- * size.
+ * --full. A build with AddressSanitizer is up to ten times slower and, without --full,
+ * uses the smallest size, since memory errors appear in the first cases as well.
+ * Tolerances follow the size.
  */
 #ifndef PP_TESTS_LIB_SIZED_H
 #define PP_TESTS_LIB_SIZED_H

@@ -34,8 +34,9 @@ factors() {
         awk -F, '$10 == "df" && $12 != "" { print $11, $3 $4 $5, $12, $13 }'
 }
 
-# agree A B SHARE: the lines of factors agree: within SHARE, or within three standard errors of the
-# difference if its error is at most SHARE, or within the numerical accuracy (0.002 %).
+# agree A B SHARE: the lines of factors agree: within SHARE of the value in B, or within three
+# standard errors of the difference if one such error is less than SHARE of that value, or less
+# than a daylight factor of 0.003 %.
 agree() {
     paste -d' ' "$1" "$2" | awk -v share="$3" '
     NF == 8 && $1 == $5 && $2 == $6 {

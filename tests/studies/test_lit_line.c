@@ -74,8 +74,8 @@ static void along_the_legal_line_the_sky_factor_is_a_fifth_of_a_per_cent(void **
     pp_world_destroy(world);
 }
 
-/* A loss of 20 m2, from 14 m2 lit to 4: one of the front quarter, all of the first,
- * four of the second; 3/2 + 5 + 4/2 of first zone. */
+/* A room of 20 m2, lit over 14 m2 and then over 4 m2, loses 1 m2 of its front quarter,
+ * all 5 m2 of the first and 4 m2 of the second: 3/2 + 5 + 4/2 m2 of first zone. */
 static void a_loss_is_counted_by_quarters_of_the_room(void **state)
 {
     (void)state;
@@ -92,7 +92,7 @@ static void a_loss_is_counted_by_quarters_of_the_room(void **state)
     assert_near(loss.equivalent_m2, 0.0, 0.0);
 }
 
-/* A room 0.6 m high has no plane at 0.85 m, and a cellar sees no sky. */
+/* A room 0.6 m high has no plane at 0.85 m, and without windows sees no sky. */
 static void no_plane_and_no_window_are_no_lit_area(void **state)
 {
     (void)state;
@@ -111,9 +111,9 @@ static void no_plane_and_no_window_are_no_lit_area(void **state)
     pp_world_destroy(low);
 }
 
-/* A room of 20 m2, lit over 14 m2 and then 4 m2, has lost its second zone, and its
- * first zone except for the part left in the front zone. A room without a previous
- * state only contributes its area. */
+/* A room of 20 m2, lit over 14 m2 and then over 4 m2, has lost 1 m2 of its front zone,
+ * its first zone, and the lit 4 m2 of its second zone. A room without a previous state
+ * contributes only its plane and its present lit area. */
 static void a_sum_of_rooms_includes_the_known_areas_of_each(void **state)
 {
     (void)state;

@@ -62,7 +62,7 @@ static void windows_above_each_other_count_once_and_beside_each_other_twice(
                 1e-9);
 }
 
-/* Windows in three walls: the first opening extends across due east, where bearings
+/* Windows in four walls: the east window extends across due east, where azimuths
  * begin. */
 static void windows_all_round_add_up(void **state)
 {
@@ -170,8 +170,8 @@ static int by_distance(const void *a, const void *b)
     return (s->distance_m > t->distance_m) - (s->distance_m < t->distance_m);
 }
 
-/* Lists of 0 to 40 lines with equal distances, views of the sky (infinite distances) and
- * weights that are sums of powers of two, so that sums have no rounding errors. */
+/* Lists of 0 to 40 lines, some with equal distances or views of the sky (infinite
+ * distances), and weights that are sums of powers of two, so that sums have no rounding errors. */
 static void the_median_distance_is_that_of_the_sorted_lines(void **state)
 {
     (void)state;

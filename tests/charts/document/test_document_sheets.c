@@ -114,8 +114,6 @@ static void a_table_over_sheets_repeats_its_head_and_has_every_row_once(void **s
     free(sheets.text);
 }
 
-/* For any text above it, a heading is on the same sheet as the text that follows: a
- * paragraph, or the header of a table and its first row. */
 /* Some of these tables are one row too long for a sheet. */
 static void the_last_row_of_a_table_is_not_alone_on_a_sheet(void **state)
 {
@@ -159,6 +157,8 @@ static void a_table_without_rows_has_a_head(void **state)
     free(sheets.text);
 }
 
+/* For any text above it, a heading is on the same sheet as the text that follows: a
+ * paragraph, or the header of a table and its first row. */
 static void no_heading_is_the_last_of_a_sheet(void **state)
 {
     (void)state;

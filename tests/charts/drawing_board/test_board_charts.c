@@ -135,8 +135,8 @@ static bool has_level(const struct strokes *strokes, double x, double y)
     return false;
 }
 
-/* Frame of the only panel: the rectangle as wide as the longest horizontal stroke that
- * has vertical strokes at both ends. */
+/* Frame of the only panel: the widest rectangle, from two opposite horizontal strokes of
+ * one path. */
 static struct stroke frame_of(const struct strokes *strokes)
 {
     struct stroke best = {0};
@@ -156,8 +156,7 @@ static struct stroke frame_of(const struct strokes *strokes)
     return best;
 }
 
-/* --- tests
- * --------------------------------------------------------------------------- */
+/* ---- tests ---- */
 
 /* The heading of each diagram names its surface: a wall by its name, or a ceiling
  * without one. */
@@ -426,7 +425,8 @@ static void droop_lines_of_an_inclined_facade_are_its_edge_as_seen(void **state)
             double x = 8.0 * sin(delta) + s * cos(delta);
             double y = 8.0 * cos(delta) - s * sin(delta);
             double phi = atan2(x, y), gamma = atan2(5.5, hypot(x, y));
-            /* The eight levels have tangents in a constant ratio. */
+            /* For every level, the tangent of the altitude divided by that at the
+             * nearest point is the same. */
             double ratio = tan(gamma) / tan(top);
             int near = 90 + (int)floor(phi / PP_RAD);
             if (fabs(phi) > 88.0 * PP_RAD)
@@ -491,8 +491,7 @@ static void two_drawings_are_the_same_bytes(void **state)
     pp_board_sheets_pepper_pot_clear(&pot);
 }
 
-/* True if two horizontal strokes have this width and are this far apart. The last side
- * of a closed path has no stroke of its own. */
+/* True if two horizontal strokes have this width and are this far apart. */
 static bool has_rectangle(const struct strokes *strokes, double width, double height)
 {
     for (int i = 0; i < strokes->count; i++) {
@@ -545,7 +544,7 @@ static void exercises_have_their_elevations_at_the_diagrams_scale(void **state)
     pp_world_destroy(world);
 }
 
-/* Points behind the plane of the window and in it, in a room with a bay. */
+/* Points behind the plane of the window and in it, in an L-shaped room. */
 static void a_window_that_is_not_seen_has_no_squares_and_no_dots(void **state)
 {
     (void)state;

@@ -28,7 +28,7 @@ static char *drawn(const struct pp_brs_sheet *sheet, enum pp_paper paper)
     return copy;
 }
 
-/* Outer frame of the table: the corners of the widest and tallest four strokes. */
+/* Outer frame of the table, from its tallest vertical strokes. */
 static struct stroke frame_of(const struct strokes *strokes)
 {
     struct stroke tallest = {0}, frame = {INFINITY, INFINITY, -INFINITY, -INFINITY};

@@ -112,7 +112,7 @@ struct frame {
     double left, right, top, bottom;
 };
 
-/* Scale A is the longest vertical line, farthest to the left. */
+/* Scale A is the vertical line farthest to the left. */
 static struct frame frame_of(const struct drawing *drawing)
 {
     struct frame frame = {INFINITY, -INFINITY, 0.0, 0.0};

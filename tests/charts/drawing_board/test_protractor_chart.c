@@ -198,8 +198,8 @@ static void any_glass_slope_and_even_sky_has_a_protractor(void **state)
     assert_non_null(strstr(err.message, "azimuth"));
 }
 
-/* Windows of every size and paper format, one after the other or together; the figures
- * are those of the method. */
+/* A side-lit and a top-lit room in all formats and paper sizes, or a few of them below
+ * full size. Each has the published protractor for the slope of its glass. */
 static void a_worked_chart_is_drawn_of_windows_and_rooflights(void **state)
 {
     (void)state;

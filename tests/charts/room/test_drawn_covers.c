@@ -70,8 +70,7 @@ static struct strokes drawn(enum what what, const char *parts, double *mm_per_m,
     return strokes;
 }
 
-/* True if there is a stroke between two heights (or lateral positions), at most `near`
- * mm from x. */
+/* True if there is a stroke from low to high on paper, less than `near` mm from x. */
 static bool upright(const struct strokes *strokes, double x, double low, double high,
                     double near)
 {

@@ -25,7 +25,7 @@ static struct pp_canvas *canvas_of(enum pp_chart_format format, enum pp_paper pa
     return canvas;
 }
 
-/* A line from (20, 30) to (120, 30), 100 mm long, clipped and below text. */
+/* A line from (20, 30) to (120, 30), 100 mm long, within a clip, and text below it. */
 static void draw_rule(struct pp_canvas *canvas)
 {
     cairo_t *cr = pp_canvas_cairo(canvas);
@@ -225,7 +225,6 @@ static void the_same_drawing_gives_the_same_bytes(void **state)
     }
 }
 
-/* IHDR has the size at bytes 16 to 23, followed by pHYs. */
 static void a_drawing_that_lacks_a_part_is_no_file(void **state)
 {
     (void)state;
@@ -243,6 +242,7 @@ static void a_drawing_that_lacks_a_part_is_no_file(void **state)
     }
 }
 
+/* IHDR has the size at bytes 16 to 23, followed by pHYs. */
 static void png_has_its_size_and_resolution(void **state)
 {
     (void)state;

@@ -43,8 +43,8 @@ static struct strokes drawn(const struct pp_overlay *overlay, enum pp_paper pape
     return strokes;
 }
 
-/* Centre: between the ticks of north and south, and of east and west. These are the
- * outermost vertical and horizontal strokes that begin on the circle. */
+/* Centre: midway between the ticks of north and south, vertical strokes that begin on
+ * the circle and go outwards. */
 static void find_middle(const struct strokes *strokes, double radius, double middle[2])
 {
     for (int i = 0; i < strokes->count; i++) {
@@ -147,7 +147,7 @@ static void sun_paths_pass_through_known_directions(void **state)
         find_middle(&strokes, radius, middle);
         for (int i = 0; i < 3; i++) {
             double r = radius * radius_of(lens, 51.5 - declinations[i]);
-            /* A declination of 0.3 degrees on 21 March. */
+            /* A declination of 0.4 degrees on 21 March. */
             assert_true(
                 has_end(&strokes, middle[0], middle[1] + r, i == 1 ? 0.7 : 0.1));
         }

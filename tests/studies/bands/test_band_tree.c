@@ -9,7 +9,8 @@
 
 enum { ROOMS = 2000, POINTS = 4, FEATURES = 3, ROWS = ROOMS * POINTS };
 
-/* Values of a generated room: its rows share feature 0 and the error. */
+/* Generated rooms; the rows (points) of a room share feature 0 and a part of the
+ * error. */
 struct made {
     int rooms[ROWS];
     double ratios[ROWS], features[ROWS * FEATURES];
@@ -95,8 +96,8 @@ static void rooms_that_err_alike_are_one_regime(void **state)
     free(made);
 }
 
-/* Tolerance: three standard errors of two shares, for the rooms of a regime inside and
- * outside its band. */
+/* Tolerance: three standard errors of the difference of two shares of 95 %, that of the
+ * rooms tested and that of the rooms from which the band was made. */
 static void a_band_holds_its_share_of_rooms_that_it_was_not_made_from(void **state)
 {
     (void)state;

@@ -171,7 +171,7 @@ static void rooms_outside_the_atlas_have_a_reason_and_no_band(void **state)
     }
 }
 
-/* A dado slightly darker than the wall of 0.5 behind it, and one darker by 0.2, which
+/* A dado slightly darker than the wall of 0.5 behind it, and two darker by 0.2, which
  * does not exceed the limit. */
 static void a_dado_like_its_wall_leaves_the_bands(void **state)
 {

@@ -196,7 +196,8 @@ static char *drawn(const struct pp_availability_sheet *sheet,
     return copy;
 }
 
-/* Next straight stroke of an SVG's paths, from an M to the following L. */
+/* First stroke of the next path of an SVG that begins with a straight one: from its M
+ * to its L. */
 static const char *next_stroke(const char *at, double xy[4])
 {
     while ((at = strstr(at, " d=\"M ")) != NULL) {
@@ -221,8 +222,7 @@ static void find_scale(const char *svg, double xy[4])
 }
 
 /* 90 lx at 2 % require 4500 of the 10,000 lx at the end of the scale: the line is at
- * 0.45 of its length, to the last digit printed by cairo, and as high as the chart
- * area. */
+ * 0.45 of its length, to the last digit printed by cairo, and longer than 100 units. */
 static void required_illuminance_is_marked_at_its_place_on_the_scale(void **state)
 {
     (void)state;
@@ -255,8 +255,8 @@ static void required_illuminance_is_marked_at_its_place_on_the_scale(void **stat
     pp_world_destroy(world);
 }
 
-/* Eight periods and eight illuminances on every paper size in both orientations, drawn
- * twice; and without a room. */
+/* The largest numbers of periods and illuminances, with and without a room, drawn twice
+ * in three formats; at full size also on every paper size in both orientations. */
 static void the_chart_fits_any_sheet_and_is_reproducible(void **state)
 {
     (void)state;

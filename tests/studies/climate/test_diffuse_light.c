@@ -56,8 +56,7 @@ static void the_efficacy_is_that_of_its_table(void **state)
                 111.541407, 1e-3);
 }
 
-/* For any data in the file, the efficacy of the sky does not exceed the maximum of the
- * eye. */
+/* For any data in the file, the efficacy of the sky is between 60 and 250 lm/W. */
 static void the_efficacy_stays_within_reason(void **state)
 {
     (void)state;
@@ -71,8 +70,8 @@ static void the_efficacy_stays_within_reason(void **state)
 
 /* ---- from a weather file ---- */
 
-/* One day; the illuminance of hour h from a list of texts, an irradiance of 100 by
- * day. */
+/* One day with the illuminances of its hours from a list of texts, and the diffuse
+ * irradiance `diffuse` from 5 to 20 h, 0 in other hours. */
 static struct pp_epw *day_of(const char *diffuse, const char *const lx[24])
 {
     struct made_epw made;
@@ -316,8 +315,8 @@ static void polar_night_has_nothing(void **state)
 }
 
 /* A shift of half a year exchanges north and south, except that the northern summer is
- * 8 days of 365 longer. Noon exchanges morning and afternoon, except for the equation
- * of time, at most 16 minutes in five hours. */
+ * 8 days of 365 longer. Mirroring the day at noon exchanges morning and afternoon,
+ * except for the equation of time, at most 16 minutes in five hours. */
 static void north_and_south_morning_and_afternoon_are_alike(void **state)
 {
     (void)state;

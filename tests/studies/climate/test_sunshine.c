@@ -60,7 +60,7 @@ static void one_day_in_three_is_a_third(void **state)
         assert_near(sunshine.share[1][hour], 9.0 / 28.0, 1e-12);
         assert_near(sunshine.share[6][hour], 10.0 / 31.0, 1e-12);
     }
-    assert_near(sunshine.share[11][2], 0.0, 0.0); /* after sunset */
+    assert_near(sunshine.share[11][2], 0.0, 0.0); /* at night */
     assert_false(sunshine_of(never_known).known);
 }
 

@@ -293,7 +293,7 @@ static void vertical_sky_components_agree(void **state)
 }
 
 /* The angle of the highest of directions 0.05 degrees apart in which a ray meets an
- * obstruction; for a skyline the angle in the file, measured from the outer face. */
+ * obstruction; for a skyline the angle in the file. */
 static void angles_in_section_agree(void **state)
 {
     (void)state;
@@ -570,9 +570,9 @@ static bool shines_on(const struct pp_world *world, struct pp_vec3 eye,
            && sight_sees_sky(world, eye, u, opening->face);
 }
 
-/* Per cent of the hours of the year, and of winter, counted every ten minutes. About a
- * thousand ends of sun periods, each with an error of 3 minutes, are 1.5 of 4400
- * hours. */
+/* Hours of sun in the year and in winter, in per cent of the year's hours with the sun
+ * above the horizon, counted every ten minutes. About a thousand ends of sun periods,
+ * each with an error of 3 minutes, are 1.5 of 4400 hours. */
 static void sunlight_hours_agree(void **state)
 {
     (void)state;

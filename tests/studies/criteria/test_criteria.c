@@ -152,9 +152,9 @@ static double angle_deg(const char *outside)
     return finding_in(&pp_criterion_obstruction, 0, body, NULL).figure / PP_RAD;
 }
 
-/* The rule measures the angle from the outer face, as does the room file. Measured from
- * inside, the angle would be 25.2 degrees with a reveal of 0.15 m and a distance of 15
- * m. */
+/* The rule's angle is that of the room file, whatever the reveal. The distance of 15 m
+ * is from the inner face: from the outer face, 0.15 m nearer, the angle would be 25.2
+ * degrees. */
 static void a_skyline_typed_as_25_degrees_is_25_degrees_whatever_the_reveal(
     void **state)
 {
@@ -178,8 +178,8 @@ static void only_obstructions_in_the_section_count(void **state)
     assert_near(angle_deg("<block x=\"2.1\" y=\"-18\" width=\"12\" depth=\"8\" "
                           "height=\"9.5\"/>"),
                 0.0, 0.0);
-    /* Rotated by 45 degrees: the corner is at (3, -9), and its edge towards (-x, -y)
-     * crosses x = 2 at y = -10. */
+    /* Rotated by 135 degrees about the corner at (3, -9): its edge towards (-x, y)
+     * crosses x = 2 at y = -8. */
     assert_near(
         angle_deg("<block x=\"3\" y=\"-9\" width=\"6\" depth=\"6\" height=\"5\" "
                   "rotate=\"135\"/>"),
@@ -331,8 +331,8 @@ static void the_grumble_line_encloses_what_the_closed_form_does(void **state)
     for (int i = 0; i < 2; i++) {
         char body[1024];
         snprintf(body, sizeof body, "%s", rooms[i]);
-        /* `left` is measured from outside: seen from inside the window begins at 0.7 or
-         * 0.8. */
+        /* `left` is measured from outside; the closed form places the window as seen
+         * from inside, at 0.8. The areas are mirror images. */
         struct pp_finding enclosed =
             finding_in(&pp_criterion_rights_of_light, 0, body, NULL);
         assert_near(enclosed.figure, area, 0.01);
@@ -576,7 +576,7 @@ static void a_criterion_that_does_not_apply_has_no_verdict(void **state)
         PP_NOT_JUDGED);
 }
 
-/* A verdict with 95 % confidence may be wrong once in twenty. Of 24 seeds and 9 targets
+/* A verdict with 95 % confidence may be wrong once in twenty. Of 24 seeds and 6 targets
  * for a room, compared with a simulation with 10 times the accuracy, only a few are
  * wrong; where sampling errors are too large, there is no verdict. */
 static void traced_verdicts_are_right_as_often_as_they_say(void **state)
@@ -603,8 +603,8 @@ static void traced_verdicts_are_right_as_often_as_they_say(void **state)
         pp_test_trace(world, &light, grid, count, &fine, NULL);
     for (int i = 0; i < count; i++)
         column->points[i] = pp_reading_of(truth[i][PP_DF].value);
-    /* The median illuminance is chosen so that the target of 300 lx is at the value
-     * that half of the points reach: the most difficult case. */
+    /* The median illuminance is chosen so that the target of 300 lx is 1 % above the
+     * value that half of the points reach: a difficult case. */
     struct pp_finding_list findings = {0};
     inquiry.median.lux = 14100.0;
     assert_int_equal(pp_criterion_en17037.evaluate(&inquiry, &findings, NULL), PP_OK);

@@ -240,8 +240,7 @@ static void many_points_are_normal_to_two_thousandths(void **state)
     for (int i = 0; i < 5; i++) {
         double exact = reached_by(points, count, (count + 1) / 2, targets[i]);
         assert_near(share_of(points, count, 0.5, targets[i]).probability, exact, 0.002);
-        /* Slightly above one half, the level of an even number of points is not the
-         * median. */
+        /* Above one half, the level of an even number of points is not the median. */
         exact = reached_by(points, MOST, 240, targets[i]);
         assert_near(share_of(points, MOST, 0.6, targets[i]).probability, exact, 0.002);
     }

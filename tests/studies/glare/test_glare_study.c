@@ -48,7 +48,7 @@ static struct pp_world *study_of(struct pp_glare_sheet *sheet, const char *xml, 
 }
 
 /* Ev and its standard error, DGP and the sum of L^2 omega/P^2 without the sun, by an
- * independent path tracer and from pictures by Radiance. DGP may differ by 0.01 because
+ * independent path tracer and from pictures by Radiance. DGP may differ by 0.005 because
  * sources are grouped differently. */
 static void dgp_is_that_of_pictures(void **state)
 {
@@ -141,8 +141,8 @@ static void frames_take_solid_angle_and_dirt_takes_luminance(void **state)
 }
 
 /* An infinitely long wall up to 60 degrees hides the sky in the field of view, and its
- * own luminance is below the threshold. A white wall of 0.8 in the sun exceeds the
- * threshold. */
+ * own luminance is below the threshold, as is that of a block that reflects 0.2. A
+ * block that reflects 0.8 exceeds the threshold. */
 static void obstructions_hide_the_sky_and_may_be_sources(void **state)
 {
     (void)state;
@@ -160,8 +160,8 @@ static void obstructions_hide_the_sky_and_may_be_sources(void **state)
     assert_true(sum_of(far, OVERCAST) > 0.0);
 }
 
-/* A diffusing pane without external reflections has the luminance tau E/pi: under an
- * overcast sky E is 0.396 + 0.1 of Eh. */
+/* A diffusing pane without obstructions outside has the luminance tau E/pi: under an
+ * overcast sky E is 0.396 of Eh from the sky and 0.1 of Eh from the ground. */
 static void a_diffusing_pane_is_one_even_source(void **state)
 {
     (void)state;
@@ -199,8 +199,9 @@ static double far_window_projected_sr(void)
     return 2.0 * (x / rx * atan(y / rx) + y / ry * atan(x / ry));
 }
 
-/* The simulation of Ev follows light paths, and knows nothing of the luminances. The
- * field of view resolves the edges of the window to 2 %, but not its mean luminance. */
+/* The simulation of Ev follows light paths and does not use the luminances. The field
+ * of view resolves the edges of the window only to 2 %, which does not affect its mean
+ * luminance. */
 static void assert_window_lights_the_eye(struct pp_world *world,
                                          const struct pp_outside_light *light, int sky)
 {

@@ -10,8 +10,8 @@ static double power_at(const struct pp_lighting_control *control, double E)
     return pp_lighting_control_power(control, E, &on);
 }
 
-/* The lamps are switched on below 310 lx and off above 480 lx; between these levels
- * their state does not change. */
+/* The lamps are switched on below 310 lx, and off at 480 lx and more; between these
+ * levels their state does not change. */
 static void a_differential_keeps_the_state_between_two_levels(void **state)
 {
     (void)state;

@@ -79,8 +79,8 @@ static void a_photocell_follows_the_daylight_before_people_come(void **state)
     assert_near(year.used_h, 2.5, 1e-12);
 }
 
-/* 40 lx at the beginning of the first day, 500 lx at that of the second; later values
- * do not matter. */
+/* 40 lx at arrival on the first day, 500 lx at arrival on the second; other values do
+ * not matter. */
 static void light_switched_on_at_arrival_burns_until_departure(void **state)
 {
     (void)state;
@@ -103,7 +103,8 @@ static void light_switched_on_at_arrival_burns_until_departure(void **state)
     assert_near(fraction[A_DAY - 1], 0.0, 0.0); /* after 9:30 */
 }
 
-/* A record that is half occupied counts with half of its power. */
+/* A record that is occupied for a part of its length counts with this part of its
+ * power. */
 static void fractions_times_lengths_are_the_hours_used(void **state)
 {
     (void)state;

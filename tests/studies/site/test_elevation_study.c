@@ -265,7 +265,7 @@ static void elevations_go_round_from_north(void **state)
     clear_made(&made);
 }
 
-/* Two houses with a court of 4 m between them that both face south: their walls overlap
+/* Two houses with a court of 8 m between them that both face south: their walls overlap
  * in elevation, so each has its own elevation. The north walls have no windows and no
  * elevation. */
 static void a_house_in_front_does_not_cover_the_windows_behind_it(void **state)
@@ -324,7 +324,7 @@ static void demolished_and_proposed_blocks_are_distinguished(void **state)
 }
 
 /* In the south elevation u is x of the building. A crown is drawn if it is before the
- * wall that it covers: not one behind, 15 m aside, or removed. */
+ * wall that it covers: not one behind, far to the side, or removed. */
 static void crowns_before_a_wall_are_in_its_elevation(void **state)
 {
     (void)state;

@@ -21,7 +21,7 @@
 
 /* At the equinox the sun moves in a plane: its altitude in the section perpendicular to
  * an east-west wall is 90 degrees less the latitude all day, so the edge of the shadow
- * does not move. On 21 March the declination of 0.2 degrees moves it slightly. */
+ * does not move. On 21 March the declination of 0.4 degrees moves it slightly. */
 static void behind_an_east_west_wall_the_equinox_shadow_stands_still(void **state)
 {
     (void)state;

@@ -13,7 +13,7 @@
 static struct pp_study_room room;
 static struct pp_building *building;
 
-/* A room 4.1 m wide and 5.7 m deep with one window 1.7 m high. */
+/* A room 4.1 m wide and 5.7 m deep with one window 1.7 m high and width_m wide. */
 static void set_up(double width_m)
 {
     char xml[1024];
@@ -53,8 +53,8 @@ static double margin_for(const char *words, char why[200])
     return reading.value;
 }
 
-/* The target is glass of 8 % or openings of 12.5 % of the floor; the openings are the
- * lower share. */
+/* Requirements are glass of 8 % and openings of 12.5 % of the floor; the openings have
+ * the lower margin. */
 static void a_third_of_the_window_wanted_is_a_third(void **state)
 {
     (void)state;

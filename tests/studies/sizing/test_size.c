@@ -54,7 +54,7 @@ static enum pp_status area(void *data, const struct pp_world *world,
     return PP_OK;
 }
 
-/* Width of the first opening (m), rounded to thirds of a metre, divided by 100 m. */
+/* Width of the first opening (m), rounded down to thirds of a metre, divided by 100 m. */
 static enum pp_status thirds(void *data, const struct pp_world *world,
                              struct pp_reading *reading, struct pp_error *err)
 {
@@ -83,8 +83,8 @@ static enum pp_status constant(void *data, const struct pp_world *world,
     return PP_OK;
 }
 
-/* The first opening's width divided by 100 m, with noise of 1 % and this standard
- * error. */
+/* The first opening's width divided by 100 m, with a deviation of at most 1 % and a
+ * standard error of 1 %. */
 static enum pp_status sampled(void *data, const struct pp_world *world,
                               struct pp_reading *reading, struct pp_error *err)
 {
@@ -170,8 +170,8 @@ static void windows_grow_in_proportion_until_they_meet(void **state)
     pp_size_answer_clear(&answer);
     answer = find(building, PP_CHANGE_WIDTH, 2, 0.05, area);
     struct pp_opening_place a = place(answer.room, 0), b = place(answer.room, 1);
-    /* If both were twice as wide, their sides 1 m apart would meet at two thirds of the
-     * way from the wider one; then each extends to its end of the wall. */
+    /* Their sides, 1 m apart, meet at 2.33 times the widths, at two thirds of the way
+     * from the wider one; then each extends to its end of the wall. */
     assert_near(a.left_m, 0.0, 1e-9);
     assert_near(a.left_m + a.width_m, 1.5 + 2.0 / 3.0, 0.003);
     assert_near(b.left_m, a.left_m + a.width_m, 0.003);
@@ -297,7 +297,7 @@ static void a_value_that_falls_again_is_reached_on_its_way_up(void **state)
     answer = find(building, PP_CHANGE_WIDTH, 1, 0.03, tent);
     assert_int_equal(answer.verdict, PP_SIZE_OUT_OF_REACH);
     assert_false(answer.is_largest);
-    /* At most an eighth of the range away. */
+    /* The best size tried is at most half a step of 4.1 m / 8 from the best one. */
     assert_near(answer.reading.value, 0.022, 0.003);
     pp_size_answer_clear(&answer);
     pp_building_destroy(building);
@@ -447,8 +447,8 @@ static double high_edge(struct pp_opening_place p, enum pp_size_change change)
     return change == PP_CHANGE_WIDTH ? p.left_m + p.width_m : p.sill_m + p.height_m;
 }
 
-/* Asserts that the room has no mistakes at any step, and that each window is inside
- * that of the next step. */
+/* Asserts at some of the steps, the last included, that the room has no mistakes, and
+ * that each window is inside that of the next of the steps tried. */
 static void check_steps(const char *xml, enum pp_size_change change, int count)
 {
     static const int openings[] = {0, 1, 2, 3};

@@ -377,7 +377,7 @@ static void the_sun_is_seen_where_a_ray_reaches_it(void **state)
 
 /* ---- counts ---- */
 
-/* A night shift has no daylight: autonomy is 0, and all hours are below 100 lx. */
+/* 16 of 40 occupied hours are dark: they count as below 100 lx, and reduce autonomy. */
 static void dark_hours_count(void **state)
 {
     (void)state;

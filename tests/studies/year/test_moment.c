@@ -235,8 +235,7 @@ static void pictures_have_the_sun_that_a_blind_scatters(void **state)
     compare_with_pictures(WINDOW "glazing='none'><blind angle='-45'/></window>");
 }
 
-/* Open ground, and a horizontal roof with the same reflectance: rho times sky and
- * sun. */
+/* Open ground reflects its reflectance times the light of sky and sun. */
 static void sunlit_ground_gives_back_its_share(void **state)
 {
     (void)state;

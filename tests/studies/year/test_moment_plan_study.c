@@ -145,7 +145,7 @@ static void a_plan_stops_in_every_part_of_its_computation(void **state)
 }
 
 /* The plan's light without sun, at a point between cells, agrees with a simulation of
- * this point; a sun in the north below the head of the window lights nothing. */
+ * this point; a sun in the north lights nothing. */
 static void plan_agrees_with_points(void **state)
 {
     (void)state;
@@ -167,8 +167,8 @@ static void plan_agrees_with_points(void **state)
     clear(&plan, &room);
 }
 
-/* Corners of 27 and 63 degrees: the nearest cell centre is one cell away. A shelf 0.3 m
- * from the wall: behind it, only the cell at its open end has a centre. */
+/* Corners of 27 and 63 degrees: the nearest cell centre is one cell away. A cupboard
+ * 0.1 m from the wall: no cell has its centre in the gap behind it. */
 static void corners_and_gaps_have_values(void **state)
 {
     (void)state;

@@ -4,7 +4,8 @@
 #include "studies/criteria/en17037/en17037_level.h"
 #include "tests/lib/room_of.h"
 
-/* Findings on 20 points with 100, 130, 160 ... 670 lx in half of the daylight hours. */
+/* Findings on 20 points that have lowest_lx, 30 lx more, and so on, in half of the
+ * daylight hours. rooflight: the room has a rooflight instead of a window. */
 static struct pp_finding_list judged_hours(double lowest_lx, bool rooflight)
 {
     static const char window[] = "<window wall=\"south\" left=\"1\" sill=\"1\" "

@@ -86,8 +86,8 @@ static void glass_below_0_8_m_does_not_count_in_norway(void **state)
     pp_finding_list_clear(&findings);
 }
 
-/* One of two alternatives is enough. In Sweden the darker of two points at half depth
- * decides; without these points that alternative is not assessed. */
+/* One of two alternatives is enough: the German rule on points of the room file is not
+ * assessed here, since the room has none. */
 static void one_alternative_is_enough(void **state)
 {
     (void)state;

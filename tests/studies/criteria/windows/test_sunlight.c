@@ -94,7 +94,8 @@ static double half_day(double cosine)
 
 /* Half days by the textbook: the sun is above the horizon while cos h > -tan phi tan
  * delta, and in front of an unobstructed south wall while cos h > tan delta / tan phi.
- * Returns the shares of the year and of winter. */
+ * Sets the hours in front of the wall, of the year and of winter, as shares of the
+ * year's hours with the sun above the horizon. */
 static void south_shares(double latitude_deg, double shares[2])
 {
     static const int days[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
@@ -128,9 +129,9 @@ static void an_open_south_wall_has_the_textbooks_hours(void **state)
         shares[0], 1e-9, PP_MET);
 }
 
-/* The plane over the skyline is as steep as the sun's path at the equinox. The winter
- * sun is below it, except on 21 September and 21 March, with declinations of +0.6 and
- * +0.4 degrees: at most 24 of 4406 hours. */
+/* The plane over the skyline is slightly steeper than the sun's path at the equinox. The
+ * winter sun is below it, except on 21 September and 21 March, with declinations of +0.5
+ * and +0.4 degrees: at most 24 of 4406 hours. */
 static void a_skyline_of_the_equinox_leaves_hardly_any_winter_sun(void **state)
 {
     (void)state;
@@ -196,7 +197,7 @@ static void poles_and_the_equator_have_their_hours(void **state)
 /* The jambs are 0.5 m to the sides of the point and 0.7 m in front of it: they admit
  * the sun while the tangent of its azimuth from south is at most 0.5 / 0.7, found by
  * bisection of the hour angle. Head and sill do not hide it: the sun's path rises by
- * 38.5 degrees, the head by 54. */
+ * 38.5 degrees, the head by 55. */
 static void on_the_equinox_jambs_cut_the_sun(void **state)
 {
     (void)state;

@@ -18,7 +18,8 @@ static void a_loss_is_what_the_ratio_leaves(void **state)
     assert_true(isnan(pp_schedule_loss(unknown)) && isnan(pp_schedule_loss(dark)));
 }
 
-/* One room with two windows with the same sky, and the sunlight of the first. */
+/* One room with two windows: the sky of both and the sunlight of the first, now and
+ * before. */
 static void each_window_has_one_line_with_all_its_figures(void **state)
 {
     (void)state;

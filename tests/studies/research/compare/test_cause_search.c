@@ -57,7 +57,7 @@ static enum pp_status trace(void *traced, const int *causes, int count, double v
     return PP_OK;
 }
 
-/* Noise with a standard deviation of 1, without a spatial pattern, always the same
+/* Noise with a standard deviation of 0.9, without a spatial pattern, always the same
  * numbers. */
 static double noise(int i)
 {

@@ -11,7 +11,7 @@ static const char small[] =
     "glazing='clear-double' maintenance='0.8'/>"
     "<working-plane height='0.8'/><grid spacing='1.5' margin='0.4'/></room>";
 
-/* Noise of 1 %, without a spatial pattern. */
+/* Noise of about 1 %, without a spatial pattern. */
 static double noise(int i)
 {
     static const double even[] = {0.3, -1.2, 0.9, 0.1, -0.4, 1.4, -0.8, -0.1};

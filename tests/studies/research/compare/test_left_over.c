@@ -89,7 +89,7 @@ static void stated_noise_replaces_the_scatter(void **state)
     assert_true(pp_left_over_is_noise(&over));
 }
 
-/* Points at one position cannot show the scatter over a room. */
+/* Six points, or points at one position, cannot show the scatter over a room. */
 static void few_points_do_not_tell_noise(void **state)
 {
     (void)state;

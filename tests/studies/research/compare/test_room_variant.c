@@ -7,7 +7,8 @@
 enum { POINTS = 3 };
 static const double ERROR = 0.01;
 
-/* A frame and dirt of 0.7 and 0.8; outside only black ground. */
+/* A frame factor of 0.7 and a maintenance factor of 0.8. ground: reflectance of the
+ * ground; more: further elements. */
 #define ROOM(glazing, ground, more)                                                    \
     "<room version='1'><site ground-reflectance='" ground "'/>"                        \
     "<plan width='3.1' depth='4.3' height='2.7'/>"                                     \
@@ -144,7 +145,7 @@ static void glass_by_its_normal_transmittance_is_a_factor_of_no_glass(void **sta
     assert_ratio(normal, exact, pp_glass_clear_single().normal);
 }
 
-/* (1 - rho)^2 t / (1 - rho^2 t^2) at t = 0.9, rho = 0.0425800: 0.827173. */
+/* (1 - rho)^2 t / (1 - rho^2 t^2) at t = 0.9, rho = 0.0425800: 0.8262. */
 static void a_transmittance_taken_for_a_transmissivity_loses_a_twelfth(void **state)
 {
     (void)state;

@@ -76,8 +76,8 @@ static void light_is_followed_so_far(void **state)
     assert_over_ground("ab=2", luminance);
 }
 
-/* In the centre of a ball all light meets the glass at normal incidence. For a sensor
- * that faces up half of the light is direct; rho = (0.52 / 2.52)^2 at both surfaces. */
+/* All light that reaches the centre of a ball passes the glass at normal incidence;
+ * rho = (0.52 / 2.52)^2 at both surfaces. */
 static void glass_variants_have_the_assumed_transmittance(void **state)
 {
     (void)state;

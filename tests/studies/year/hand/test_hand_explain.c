@@ -44,7 +44,8 @@ static int recompute_steps(const struct pp_steps *steps, const char *name)
     return formulae;
 }
 
-/* Fills hours for each bin of clearness and each pair of standard skies. */
+/* Fills six hours of different clearness, two for each pair of standard skies that
+ * four-skies mixes. */
 static void fill_mixed_year(struct made_hand_year *year)
 {
     static const double clearness[] = {1.0, 1.13, 1.9, 2.7, 4.2, 7.0};

@@ -112,7 +112,8 @@ static void fill_overcast(struct made_hand_year *year)
                        11000.0, 0.0, 1.0);
 }
 
-/* 1.2 facing the equator, 0.77 facing the pole, half-way between them at 45 degrees. */
+/* 1.2 facing the equator, 1 facing east and west, 0.77 facing the pole; half-way between
+ * two of these at 45 and 135 degrees. */
 static void orientation_factor_follows_the_facade(void **state)
 {
     (void)state;
