@@ -77,7 +77,7 @@ static struct pp_reading reading_of(const struct pp_study *study,
  *
  *    SC = 9/(7 pi) sum of (1 + 2 s)/3 s d/r^3 dA
  *
- *  r  distance from the centre of the cell
+ *  r  distance of the centre of the cell
  *  s  sine of its altitude
  *  d  distance from the window's plane
  */

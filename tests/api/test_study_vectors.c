@@ -127,8 +127,8 @@ static size_t inmost(struct json_object *xy)
     return best;
 }
 
-/* Each contour is where the closed form has its level, to a millimetre, which is 0.5 %
- * of the figure where the figure changes by 5 per metre. */
+/* Each contour is where the closed form has its level, to 1 %: its position is accurate
+ * to a millimetre, which is 0.5 % where the figure changes by a factor of e in 0.2 m. */
 static void contours_lie_where_the_closed_form_has_their_level(void **state)
 {
     (void)state;

@@ -4,7 +4,7 @@
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
-# Two years with the same hours of light; `other` has less.
+# Two years with the same hours of light; `other` has less direct and more diffuse light.
 awk -f "$srcdir/tests/lib/clear_year.awk" >"$scratch/year.epw"
 awk -v direct=100 -v diffuse=220 -f "$srcdir/tests/lib/clear_year.awk" >"$scratch/other.epw"
 cat >"$scratch/room.xml" <<'XML'

@@ -42,7 +42,7 @@ sun() {
     sed -n 's/.*sun \([-0-9.]*\) degrees high, bearing \([0-9.]*\).*/\1 \2/p' "$scratch/out"
 }
 
-# near ALTITUDE BEARING TEXT: the sun is within half a degree of this position.
+# near ALTITUDE BEARING TEXT: altitude and bearing of the sun are within 0.7 degrees of these.
 near() {
     echo "$3" | awk -v h="$1" -v b="$2" '{
         good = NF == 2 && ($1 - h)^2 + ($2 - b)^2 < 0.5 }

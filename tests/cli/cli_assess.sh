@@ -53,7 +53,7 @@ check "criteria have their short names too" shows "Vertical sky component" \
 check "one of which is the no-sky line" grep -q "^  No-sky line" "$scratch/out"
 check "and one the average" grep -q "^  Average daylight factor" "$scratch/out"
 check "of a name that is none they are told" refuses 2 'no criterion "vsk"' assess -c vsk "$deep"
-# 3.6 m x tan 26 in front of a window 1.2 m wide: clearly less than 27 % of vertical sky component.
+# A skyline of 26 degrees leaves a vertical sky component of 26.7 %, less than 27 %.
 cat >"$scratch/near.xml" <<EOF
 <room version="1"><plan width="3" depth="4" height="2.5"/>
 <window wall="south" left="1" sill="0.9" width="1.2" height="1.2"/>

@@ -22,7 +22,7 @@ check "hand methods take its diffuse reflectance" sh -c \
     "test '$(hand "$room" | cut -c-12)' = '$(hand "$scratch/matt.xml" | cut -c-12)'"
 
 # The floor reflects the light of the window towards the back of the room, unlike a matt floor:
-# path tracer, cache and photons agree within 4 standard errors or 2 %.
+# cache and photons agree with the path tracer within 6 %.
 check "df simulates it with three engines" gives df -s --engine path,cache,photons \
     --error 2% --format csv "$room"
 cp "$scratch/out" "$scratch/rough"

@@ -223,7 +223,7 @@ said_with_its_error() {
 }
 check "what no path found is within the error" said_with_its_error
 
-# An illum replaces the sky behind it: a sky of 1, and another 1 over a quarter of the hemisphere.
+# An illum replaces the sky behind it: a sky of 1, and another 1 over a third of the hemisphere.
 printf 'void glow g 0 0 4 1 1 1 0\ng source s 0 0 4 0 0 1 180\nvoid glass pane 0 0 3 .9 .9 .9\n' >"$scratch/even.rad"
 echo "0 0 0 0 0 1" >"$scratch/up.pts"
 stands_for_the_sky() {

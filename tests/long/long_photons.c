@@ -42,7 +42,7 @@ static void compare(struct differences *all, const struct pp_world *world,
 }
 
 /* Student's t with 31 degrees of freedom is approximated by a normal distribution with
- * its variance: 5 % are beyond two, within three standard deviations of the count.
+ * its variance: 4.5 % are beyond two, within three standard deviations of the count.
  * Paths to points of one room are correlated, so the mean has a tolerance of four. */
 static void assert_normal(const struct differences *all)
 {
@@ -110,8 +110,8 @@ static void photons_and_paths_agree_in_the_examples(void **state)
 
 enum { SEEDS = 60, POINTS = 4 };
 
-/* Each daylight factor beside the mean of all seeds', which holds it too, and moves with
- * it. */
+/* Compares each daylight factor with the mean over all seeds. Its error is corrected for
+ * the mean's dependence on it. */
 static void cover(struct pp_coverage *coverage, struct pp_reading (*all)[POINTS + 1])
 {
     for (int i = 0; i <= POINTS; i++) {

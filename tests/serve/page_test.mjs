@@ -203,7 +203,7 @@ check('a dropped weather file opens the year', await until(() => !document.getEl
 check('its first map comes before the last', await until(() => /Simulating mean.*largest error/.test(document.getElementById('year-state').textContent) && document.getElementById('year-map').width === 365));
 check('and then the whole', await until(() => /^Simulated mean/.test(document.getElementById('year-state').textContent)));
 check('with a legend in lux and a table of the months', await page.evaluate(() => document.querySelectorAll('#year-legend .swatch').length === 9 && document.querySelectorAll('#year-months tbody tr').length === 12));
-// Clear from 9 to 16 h: noon is lit and midnight dark, in the picture and for who reads it.
+// Clear from 9 to 16 h: noon is lit and midnight dark, in the picture and in its values as text.
 const colours = await page.evaluate(() => {
     const canvas = document.getElementById('year-map'), at = (slot) => [...canvas.getContext('2d').getImageData(171, 23 - slot, 1, 1).data].join();
     return [at(12), at(0)];
@@ -258,7 +258,7 @@ for (const [width, height, scheme] of screens) {
     check(`nothing is wider than ${width} px, ${scheme}`, await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), await page.evaluate(() => document.documentElement.scrollWidth));
     if (process.env.SHOTS) writeFileSync(join(process.env.SHOTS, `board-${width}-${scheme}.png`), await page.screenshot({ fullPage: true }));
 }
-// A mistake that is asked about answers 422, which the browser notes in its console.
+// Requests with a mistake are answered by status 422, which the browser writes to its console.
 const rest = wrong.filter((w) => !/status of 422/.test(w));
 check('no error in the console and no request elsewhere', rest.length === 0, rest);
 await browser.close();

@@ -81,7 +81,8 @@ static void requests_of_other_pages_are_refused(void **state)
                      421);
 }
 
-/* A form on any web page can post these types without a preflight request. */
+/* Types other than JSON; a form on any web page can post the first three without a
+ * preflight request. */
 static void types_that_a_form_can_post_are_refused(void **state)
 {
     (void)state;

@@ -238,8 +238,8 @@ static double busy_s(pid_t pid)
 }
 
 /* Waits until a simulation has results, on any machine: signals are caught when the
- * simulation begins, and results exist long before it has worked for a second. After
- * two minutes the run is assumed to have ended by itself. */
+ * simulation begins, and results exist long before it has worked for a second. If none
+ * has begun after two minutes the test fails. */
 static void wait_for_simulation(pid_t pid, int signal_number)
 {
     double begun = INFINITY;

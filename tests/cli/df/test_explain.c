@@ -160,7 +160,8 @@ static void check_json(struct sheet *sheet, const char *of, struct json_object *
 
 enum { HEAD = 2, SYMBOL = 6, MORE = 10, WHAT = 15 };
 
-/* The number at the end of a line, before its unit; empty if there is none. */
+/* The number at the end of a line, before its unit; empty if there is none. Returns true
+ * if the line ends with a unit. */
 static bool value_of(char digits[32], const char *line)
 {
     const char *end = line + strlen(line);
@@ -382,7 +383,8 @@ static void senseless_formulae_and_unknown_symbols_are_found(void **state)
     }
 }
 
-/* Widths calculated by hand: 0.1 x 10.5 - 0.1 x 9.5 ... of (10 +- 0.5)(1 +- 0.1). */
+/* Limits calculated by hand: of (10 +- 0.5)(-1.0 +- 0.05), of the sine from 80 to 100
+ * degrees, and of 1/(-1.0 +- 0.05). */
 static void intervals_hold_all_that_rounding_allows(void **state)
 {
     (void)state;

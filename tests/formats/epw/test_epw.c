@@ -133,7 +133,8 @@ static void lines_are_counted_however_they_end(void **state)
     }
 }
 
-/* 29 February may exist or be missing, if the header does not specify it. */
+/* 29 February may be in the file if the header says so or says nothing, and in a leap
+ * year in any case. It may be missing if the header does not say that it is there. */
 static void a_leap_day_may_be_there(void **state)
 {
     (void)state;
@@ -260,7 +261,7 @@ static void several_data_periods_follow_each_other(void **state)
     done(&made, epw);
 }
 
-/* All the years in the header. */
+/* The dates of the period in the header contain its years. */
 static void a_period_may_take_years(void **state)
 {
     (void)state;
@@ -441,7 +442,7 @@ static void header_lines_that_are_wrong_are_named(void **state)
     assert_refused(&made, 2, "starts with \"WEATHER\"");
 }
 
-/* Bytes that do not occur in weather files. */
+/* Empty files, UTF-16, a NUL byte, files of other kinds, and a line that is too long. */
 static void bytes_that_are_no_text_are_rejected(void **state)
 {
     (void)state;

@@ -59,7 +59,7 @@ static void loggers_mark_missing_values_by_minus_999(void **state)
     pp_epw_destroy(epw);
 }
 
-/* Formats into which a spreadsheet converts 6/21. */
+/* A format into which a spreadsheet converts 6/21. */
 static void days_of_a_spreadsheet_are_read(void **state)
 {
     (void)state;

@@ -224,8 +224,7 @@ static void attic_is_an_envelope(void **state)
 }
 
 /* A box without its roof is closed by one plane face; without another side too, by the
- * ShellGeometry or the prism over its floor. The light is the same, and the repair is
- * reported. */
+ * prism over its floor. The light is the same, and the repair is reported. */
 static void what_lacks_is_closed_and_said(void **state)
 {
     (void)state;
@@ -340,8 +339,8 @@ static void others_are_refused_with_a_reason(void **state)
     }
 }
 
-/* A file truncated at any position is rejected, or gives a room with fewer parts; the
- * program never crashes. */
+/* A file that is truncated, or has one wrong byte, is rejected or gives a room with
+ * fewer parts; the program never crashes. Every 37th position is tested. */
 static void broken_files_do_no_harm(void **state)
 {
     (void)state;

@@ -107,8 +107,8 @@ static void every_material_is_what_it_says(void **state)
 
 #define TRIANGLE " polygon p 0 0 9 0 0 0 1 0 0 0 1 0\n"
 
-/* An illum emits light, but appears as the material that it names; a mirror is
- * invisible from behind; a glow with a negative radius emits no light for sampling. */
+/* An illum emits light, but appears as the material that it names; a mirror is black
+ * behind; a glow with a negative radius emits no light here. */
 static void lamps_and_mirrors_have_two_faces(void **state)
 {
     (void)state;
@@ -161,7 +161,7 @@ static double volume_of(const struct pp_scene_description *scene)
     return volume;
 }
 
-/* A box on its side, copied; a mirror transformation keeps its outside. */
+/* A box rotated, moved, copied and scaled; fronts of a mirrored box face outwards. */
 static void transforms_move_from_left_to_right_and_arrays_copy(void **state)
 {
     (void)state;
@@ -236,7 +236,7 @@ static void boxes_may_have_bevelled_and_round_edges(void **state)
     pp_scene_description_clear(&scene);
 }
 
-/* Files within files, relative to the folder in which the program runs. */
+/* A file within a file, moved and with another material. */
 static void a_file_includes_a_file(void **state)
 {
     (void)state;
@@ -294,7 +294,7 @@ static void files_that_copies_read_without_end_are_refused(void **state)
     unlink(name);
 }
 
-/* The same sky printed into a scene, and turned by 90 degrees. */
+/* A Perez sky written into a scene, rotated by 90 degrees. */
 static void a_written_perez_sky_turns_with_its_scene(void **state)
 {
     (void)state;
@@ -392,7 +392,7 @@ static void skies_are_those_of_gensky(void **state)
 }
 
 /* The clock of a zone is a number of hours ahead of Greenwich: 9:20 is the same moment
- * as with its meridian, 15 degrees to the west per hour. */
+ * as with its meridian, 15 degrees east of Greenwich per hour ahead. */
 static void a_zone_is_its_meridian(void **state)
 {
     (void)state;

@@ -268,7 +268,8 @@ static void many_holes_in_one_wall_become_one_outline(void **state)
     assert_comes_back(xml);
 }
 
-/* A window from floor to ceiling and one beside it divide the wall into three parts. */
+/* Two windows from floor to ceiling divide the wall into three parts; a third window is a
+ * hole in one of them. */
 static void openings_that_part_a_wall_leave_several_outlines(void **state)
 {
     (void)state;
@@ -288,8 +289,8 @@ static void openings_that_part_a_wall_leave_several_outlines(void **state)
     assert_comes_back(xml);
 }
 
-/* In every direction: the luminance of the room's sky by sky.h, or of the skyline by
- * the conventions of the tracer. */
+/* Towards the skyline the sky has its luminance by the conventions of the tracer, above
+ * it that of the room's sky by sky.h. */
 static void a_far_skyline_is_part_of_the_sky(void **state)
 {
     (void)state;
@@ -414,8 +415,8 @@ static void names_are_fit_and_unlike_each_other(void **state)
     pp_scene_description_clear(&scene);
 }
 
-/* Each shape has a front and a back material of its own, all with the same name: a
- * linear search for each would take minutes. */
+/* Each shape has a material of its own, and most have another one behind. Nearly all
+ * materials have the same name: a linear search for each would take minutes. */
 static void twenty_thousand_materials_of_one_name_get_unique_names(void **state)
 {
     (void)state;
