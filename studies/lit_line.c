@@ -110,8 +110,9 @@ const char *pp_lit_line_refuses(const struct pp_world *world,
                                 const struct pp_world *before)
 {
     return is_too_fine(world) || (before && is_too_fine(before))
-               ? "the external meshes have more than 10,000 triangles per opening, too "
-                 "many for the no-sky line"
+               ? "the external meshes are too fine for the no-sky line; expected at "
+                 "most "
+                 "10,000 triangles times openings"
                : NULL;
 }
 

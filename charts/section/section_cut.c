@@ -83,14 +83,6 @@ static enum pp_status find_line(struct pp_section_cut *cut,
     if (reach > OFF_LINE_M) {
         cut->along[0] = (receivers[far].position.x - first.x) / reach;
         cut->along[1] = (receivers[far].position.y - first.y) / reach;
-        /* The direction is chosen so that the first receiver is nearer to the start. */
-        double most = 0.0;
-        for (int i = 0; i < count; i++)
-            most = fmin(most, pp_section_cut_s(cut, receivers[i].position));
-        if (-most > reach) {
-            cut->along[0] = -cut->along[0];
-            cut->along[1] = -cut->along[1];
-        }
     } else {
         aim_at_opening(cut, world, first);
     }
