@@ -45,9 +45,9 @@ static void clear_turbid_and_type_1_are_those_of_iso_15469(void **state)
     }
 }
 
-/* EnergyPlus divides (4) by its value at the zenith, with its own rounded constants: Z3
- * = 0.99224 sin(2.6 h + 0.316) + 2.73852, Z4 = exp(-0.563 (pi/2 - h) (2.6298 (h -
- * 0.008) + 0.812)). */
+/* EnergyPlus divides (3) of perez_sky.h by its value at the zenith, with its own rounded
+ * constants: Z3 = 0.99224 sin(2.6 h + 0.316) + 2.73852, Z4 = exp(-0.563 (pi/2 - h)
+ * (2.6298 (h - 0.008) + 0.812)). */
 static void intermediate_sky_has_its_published_zenith(void **state)
 {
     (void)state;
