@@ -20,7 +20,7 @@
 struct pp_test_beside {
     double error; /* target of the tracer; sensors get three times that */
     int rooms, points;
-    double squares; /* sum of squared differences over their standard errors */
+    double squares; /* sum of the squares of (difference / its error) */
 };
 
 /* Limits in standard errors, which are from 32 randomisations each. Over 193 points

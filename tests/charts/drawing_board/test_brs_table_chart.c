@@ -72,10 +72,10 @@ static void a_reading_is_marked_between_its_cells_in_proportion(void **state)
     (void)state;
     static const struct {
         enum pp_paper paper;
-        double h, w, down, across; /* in cells from the corner of the frame */
+        double h, w, down, across; /* h/d, w/d; cells from the frame's corner */
     } rows[] = {
         {PP_PAPER_A5, 2.5, 1.3, 8.0, 12.0},   {PP_PAPER_A4, 2.5, 1.3, 8.0, 12.0},
-        {PP_PAPER_A2, 0.37, 2.3, 26.8, 16.1}, /* 0.3 of a row above 0.4; 0.6 of a column */
+        {PP_PAPER_A2, 0.37, 2.3, 26.8, 16.1}, /* 0.3 of a row below 0.4; 0.6 of a column */
         {PP_PAPER_A4, 0.05, 0.05, 30.0, 1.0}, /* half a cell beyond the last row and the first column */
         {PP_PAPER_A3, 10.0, 12.0, 2.0, 20.0}, /* by d/h: midway between 5 and infinity */
     };

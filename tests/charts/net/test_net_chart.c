@@ -59,7 +59,8 @@ static const char covered[] =
 
 static const struct {
     const char *room;
-    double mm_per_m, area[2]; /* areas; panels larger than a small area are cut */
+    double mm_per_m, area[2]; /* width and height of a sheet (mm); larger panels are
+                               * cut */
     int pieces_least, pieces_most;
 } cases[] = {
     {box, 20.0, {390.0, 500.0}, 1, 1},      {box, 50.0, {260.0, 340.0}, 4, 6},

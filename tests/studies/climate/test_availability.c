@@ -97,7 +97,7 @@ static void hours_are_counted_by_what_they_need(void **state)
     assert_near(sheet.periods[1].hours, 1.5, 1e-12);
     assert_near(sheet.periods[0].light, 1.0, 0.0);
     assert_near(sheet.periods[0].half_lx, 6000.0, 0.0);
-    assert_near(sheet.periods[0].most_lx, 2000.0, 0.0); /* exceeded in 9 of 10 hours */
+    assert_near(sheet.periods[0].most_lx, 2000.0, 0.0); /* reached in 9 of 10 hours */
 
     assert_int_equal(sheet.row_count, 6);
     static const double needs[] = {6000.0, 3000.0, 75000.0, INFINITY};

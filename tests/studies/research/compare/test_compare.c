@@ -121,7 +121,7 @@ static void two_causes_are_named_with_shares_that_sum_up(void **state)
 }
 
 /* Light from the ground reaches the back via the ceiling. Five standard errors: 2 % for
- * values at 12 points that increase by 0.9 times the reflectance. */
+ * values at 6 points that increase by 0.9 times the reflectance. */
 static void the_reflectance_of_the_ground_is_found(void **state)
 {
     struct pp_compared compared;
