@@ -7,6 +7,8 @@ import { board } from './board.js';
 import { s, pathOf, replaceChildren } from './dom.js';
 import { dot, normalOf, pointsOf, shadowOn, sunDirection, sunPlace } from './geometry.js';
 
+const CAPTIONS = 40; // height of the two lines below the view, pixels
+
 export function createAxonView(svg, sunOf) {
     let turn = 30, tilt = 35, from = null;
     const redraw = () => draw();
@@ -45,10 +47,10 @@ export function createAxonView(svg, sunOf) {
         const shown = scene.surfaces.filter((f, i) => i < scene.faces || (f.role !== 'skyline' && f.role !== 'facade'));
         const near = shown.filter((f) => f.inside).flatMap((f) => pointsOf(f.xyz).map(flat));
         const low = [0, 1].map((k) => Math.min(...near.map((p) => p[k]))), high = [0, 1].map((k) => Math.max(...near.map((p) => p[k])));
-        const scale = 0.86 * Math.min(width / (high[0] - low[0]), height / (high[1] - low[1]));
+        const scale = 0.92 * Math.min(width / (high[0] - low[0]), (height - CAPTIONS) / (high[1] - low[1]));
         const to = (p) => {
             const [x, y] = flat(p);
-            return [width / 2 + scale * (x - (low[0] + high[0]) / 2), height / 2 - scale * (y - (low[1] + high[1]) / 2)];
+            return [width / 2 + scale * (x - (low[0] + high[0]) / 2), (height - CAPTIONS) / 2 - scale * (y - (low[1] + high[1]) / 2)];
         };
         const sun = sunOf();
         const place = sunPlace(Number.isFinite(scene.latitude) ? scene.latitude : 51.5, Number.isFinite(scene.longitude) ? scene.longitude : 0, sun.month, sun.day, sun.time);
@@ -63,6 +65,7 @@ export function createAxonView(svg, sunOf) {
                 direction && f.surface.inside && dot(f.normal, direction) > 1e-3 && drawSun(scene, f, i, direction, to),
             ]),
             scene.openings.map((o) => s('path', { class: 'glass axon', d: pathOf(pointsOf(o.inner).map(to), true) })),
+            s('text', { class: 'caption', x: 12, y: height - 26 }, 'Drag, or use the arrow keys, to turn the room'),
             s('text', { class: 'caption', x: 12, y: height - 10 }, direction
                 ? `Sun ${place.altitude.toFixed(0)}\u00b0 high, bearing ${place.bearing.toFixed(0)}\u00b0` : 'The sun is below the horizon.'));
     }

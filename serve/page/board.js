@@ -7,12 +7,15 @@ import { readElements, roomsOf, isWithin, valueOf } from './room_text.js';
 const UNDO_MOST = 200;
 
 class Board extends EventTarget {
+    // Each { text, undo, redo }, and results of its text: simulated { text, room, average }, drawn
+    // { text, room, scene, plan }.
     variants = [];
     active = 0;
     selected = -1; // index of an element
     roomIndex = 0;
     method = ''; // of the contours; empty: the default pair
-    pointer = null; // [x, y] on the plan
+    pointer = null; // [x, y] on the plan: the position whose figures are shown
+    isPointerKept = false; // the position stays when the pointer moves
     isHeld = false; // a handle is being dragged
     results = { scene: null, plan: null, why: '', df: null, section: null, mistakes: [], trace: null };
     elements = [];
@@ -138,7 +141,7 @@ class Board extends EventTarget {
     // not current.
     compare(on) {
         if (on && this.variants.length === 1) {
-            this.variants.push({ text: this.text, undo: [], redo: [] });
+            this.variants.push({ ...this.variant, undo: [], redo: [] });
             this.active = 1;
         } else if (!on && this.variants.length === 2) {
             this.variants = [this.variant];

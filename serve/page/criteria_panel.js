@@ -5,45 +5,42 @@ import { board } from './board.js';
 import { engine } from './engine.js';
 import { $, h, figure, replaceChildren } from './dom.js';
 
-const VERDICTS = { met: 'met', 'not met': 'not met', undecided: 'undecided' };
-
 let asked = null;
 
+const UNITS = { m2: 'm\u00b2', degrees: '\u00b0' };
+
+// A figure with its unit.
+function withUnit(text, unit = '') {
+    return unit === 'degrees' ? `${text}\u00b0` : `${text} ${UNITS[unit] ?? unit}`.trim();
+}
+
+// A finding as a row, and its note as a second one. Optional findings are targets above the one
+// that a criterion requires.
 function drawFinding(finding) {
-    const verdict = finding.verdict ?? 'stated';
-    const bound = finding.wanted === undefined || finding.wanted === null ? '' : `${finding.bound === 'most' ? 'at most' : 'at least'} ${figure(finding.wanted)}`;
-    return h('tr', { class: `verdict-${verdict.replace(/ /g, '-')}` }, h('th', { scope: 'row' }, finding.of),
-        h('td', {}, `${figure(finding.figure ?? null, finding.se ?? null)} ${finding.unit ?? ''}`), h('td', {}, bound),
-        h('td', {}, VERDICTS[verdict] ?? verdict, finding.note && h('span', { class: 'note' }, ` ${finding.note}`)));
+    const { unit, optional, note } = finding, wanted = finding.wanted ?? null;
+    const verdict = optional && finding.verdict === 'not met' ? 'not reached' : finding.verdict ?? '';
+    const bound = wanted === null ? 'no target' : `${finding.bound === 'most' ? 'at most' : 'at least'} ${withUnit(String(Number(wanted.toPrecision(3))), unit)}`;
+    return [h('tr', { class: `verdict-${verdict.replace(/ /g, '-') || 'none'}` }, h('th', { scope: 'row' }, finding.of),
+        h('td', {}, withUnit(figure(finding.figure ?? null, finding.se ?? null), unit), h('span', { class: 'bound' }, bound)), h('td', {}, verdict)),
+    note && h('tr', { class: 'remark' }, h('td', { colspan: 3 }, note))];
 }
 
-function drawHelp(help) {
-    const list = Array.isArray(help?.changes) ? help.changes : Array.isArray(help) ? help : [];
-    const shown = list.filter((c) => c.change);
-    return shown.length > 0 && [h('h3', {}, 'What would help'), h('ul', {}, shown.map((c) => h('li', {}, `${c.change}${Number.isFinite(c.average) ? `: average ${figure(c.average)} %` : ''}`)))];
-}
-
-// Finds the list of changes anywhere in the answer.
-function changesIn(answer) {
-    const found = [];
-    const look = (value) => {
-        if (Array.isArray(value)) value.forEach(look);
-        else if (value && typeof value === 'object') {
-            if (typeof value.change === 'string') found.push(value);
-            else Object.values(value).forEach(look);
-        }
-    };
-    look(answer);
-    return found;
+function drawHelp(gains) {
+    const changes = (gains?.changes ?? []).filter((c) => c.change);
+    const now = Number.isFinite(gains?.average) ? ` Now: ${figure(gains.average)} %.` : '';
+    return changes.length > 0 && [h('h3', {}, 'What would help'),
+        h('p', { class: 'note' }, `Single changes, with the average daylight factor after each${gains.method ? `, by ${gains.method}` : ''}.${now}`),
+        h('ul', {}, changes.map((c) => h('li', {}, `${c.change}${Number.isFinite(c.average) ? `: ${figure(c.average)} %` : ''}`)))];
 }
 
 function draw(answer) {
-    const box = $('criteria');
     const room = Array.isArray(answer) ? answer[0] : answer;
     const judged = (room.criteria ?? []).filter((c) => c.findings?.length);
     const left = (room.criteria ?? []).filter((c) => !c.findings?.length);
-    replaceChildren(box, judged.map((c) => [h('h3', {}, c.title ?? c.criterion, c.source && h('span', { class: 'note' }, ` ${c.source}`)), h('table', {}, h('tbody', {}, c.findings.map(drawFinding)))]),
-        drawHelp(changesIn(answer)), left.length > 0 && h('p', { class: 'note' }, `Not applicable: ${left.map((c) => c.title ?? c.criterion).join(', ')}.`));
+    replaceChildren($('criteria'), judged.map((c) => [h('h3', {}, c.title ?? c.criterion, c.source && h('span', { class: 'note' }, ` ${c.source}`)),
+        h('table', { class: 'findings' }, h('tbody', {}, c.findings.map(drawFinding)))]),
+    drawHelp(room.gains), room.reliability?.relied_on === false && h('p', { class: 'note' }, `${room.reliability.why}.`),
+    left.length > 0 && h('p', { class: 'note' }, `Not applicable: ${left.map((c) => c.title ?? c.criterion).join(', ')}.`));
 }
 
 export async function updateCriteria() {

@@ -23,6 +23,12 @@ export function s(tag, attributes, ...children) {
 
 export const $ = (id) => document.getElementById(id);
 
+// Shows a sentence above the drawing; an empty one removes it.
+export function say(sentence, isBad = false) {
+    $('message').textContent = sentence;
+    $('message').classList.toggle('bad', isBad);
+}
+
 // A path through points of the screen.
 export function pathOf(points, closed = false) {
     return points.map(([x, y], i) => `${i ? 'L' : 'M'}${x.toFixed(1)} ${y.toFixed(1)}`).join('') + (closed ? 'Z' : '');

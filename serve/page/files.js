@@ -3,7 +3,7 @@
 
 import { board } from './board.js';
 import { engine } from './engine.js';
-import { $, h } from './dom.js';
+import { $, h, say } from './dom.js';
 import { insertInto } from './room_text.js';
 import { useWeather } from './sheets_panel.js';
 import { useYearWeather } from './year_panel.js';
@@ -61,16 +61,11 @@ export async function openFile(file) {
     return `${file.name} is open.`;
 }
 
-function tell(sentence, isBad = false) {
-    $('message').textContent = sentence;
-    $('message').classList.toggle('bad', isBad);
-}
-
 async function openAndTell(file) {
     try {
-        tell(await openFile(file));
+        say(await openFile(file));
     } catch (error) {
-        tell(error.message, true);
+        say(error.message, true);
     }
 }
 
@@ -80,7 +75,7 @@ export function setUpFiles() {
         const name = event.target.value;
         event.target.value = '';
         board.open(await engine.example(name));
-        tell('');
+        say('');
     });
     $('file').addEventListener('change', (event) => {
         const [file] = event.target.files;

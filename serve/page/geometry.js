@@ -72,6 +72,17 @@ export function cutBy(points, at, direction) {
     return segments;
 }
 
+// Is a position within the rings of the working plane?
+export function isInPlane(rings, [x, y]) {
+    let inside = false;
+    for (const ring of rings)
+        for (let i = 0, k = ring.length - 2; i < ring.length; k = i, i += 2) {
+            const [ax, ay, bx, by] = [ring[i], ring[i + 1], ring[k], ring[k + 1]];
+            if (ay > y !== by > y && x < (bx - ax) * (y - ay) / (by - ay) + ax) inside = !inside;
+        }
+    return inside;
+}
+
 export function scenePlanBounds(scene, withOutside) {
     const points = [];
     for (const surface of scene.surfaces)

@@ -57,20 +57,33 @@ function boxHandles(element, names = ['width', 'depth']) {
     return handles;
 }
 
+// The part of a wall around a window that no other window beside it takes: [from, to].
+function roomInWall(element, axes) {
+    const side = (e, name, extent) => [numberOf(e, name), numberOf(e, name) + numberOf(e, extent)];
+    const [left, right] = side(element, 'left', 'width'), [sill, head] = side(element, 'sill', 'height');
+    const others = (element.parent?.children ?? []).filter((e) => e !== element && e.name === 'window' && valueOf(e, 'wall') === valueOf(element, 'wall'))
+        .filter((e) => { const [low, high] = side(e, 'sill', 'height'); return low < head && high > sill; }).map((e) => side(e, 'left', 'width'));
+    const middle = (left + right) / 2, beside = (a, b) => (a + b) / 2 < middle;
+    return [Math.max(0, ...others.filter(([a, b]) => beside(a, b)).map(([, b]) => b)),
+            Math.min(rangeOf(axes.outline, 0)[1], ...others.filter(([a, b]) => !beside(a, b)).map(([a]) => a))];
+}
+
 function windowHandles(scene, element, view) {
     const face = surfaceOfWall(scene, valueOf(element, 'wall'));
     if (face < 0) return [];
     const axes = wallAxes(scene.surfaces[face]);
     const left = numberOf(element, 'left'), width = numberOf(element, 'width');
     const sill = numberOf(element, 'sill'), height = numberOf(element, 'height');
-    const toLeft = (u) => { const l = Math.min(Math.max(0, u), left + width - SMALLEST); return place(element, ['left', 'width'], [l, left + width - l]); };
-    const toRight = (u) => place(element, ['width'], [Math.max(SMALLEST, u - left)]);
+    const [from, to] = roomInWall(element, axes), top = rangeOf(axes.outline, 1)[1];
+    const toPlace = (u) => Math.max(from, Math.min(u - width / 2, to - width));
+    const toLeft = (u) => { const l = Math.min(Math.max(from, u), left + width - SMALLEST); return place(element, ['left', 'width'], [l, left + width - l]); };
+    const toRight = (u) => place(element, ['width'], [Math.max(SMALLEST, Math.min(u, to) - left)]);
     const toSill = (v) => { const s = Math.min(Math.max(0, v), sill + height - SMALLEST); return place(element, ['sill', 'height'], [s, sill + height - s]); };
-    const toHead = (v) => place(element, ['height'], [Math.max(SMALLEST, v - sill)]);
+    const toHead = (v) => place(element, ['height'], [Math.max(SMALLEST, Math.min(v, top) - sill)]);
     if (view === 'elevation')
         return [
             { key: 'middle', at: [left + width / 2, sill + height / 2], label: 'place', axes: 'xy',
-              drag: ([u, v]) => place(element, ['left', 'sill'], [Math.max(0, u - width / 2), Math.max(0, v - height / 2)]) },
+              drag: ([u, v]) => place(element, ['left', 'sill'], [toPlace(u), Math.max(0, Math.min(v - height / 2, top - height))]) },
             { key: 'left', at: [left, sill + height / 2], label: 'left edge', axes: 'x', drag: ([u]) => toLeft(u) },
             { key: 'right', at: [left + width, sill + height / 2], label: 'right edge', axes: 'x', drag: ([u]) => toRight(u) },
             { key: 'sill', at: [left + width / 2, sill], label: 'sill', axes: 'y', drag: ([, v]) => toSill(v) },
@@ -78,12 +91,12 @@ function windowHandles(scene, element, view) {
         ];
     if (view === 'plan') {
         const on = (u) => axes.from([u, sill]).slice(0, 2);
-        const to = (p) => axes.to([p[0], p[1], 0])[0];
+        const along = (p) => axes.to([p[0], p[1], 0])[0];
         const direction = Math.abs(axes.along[0]) > 0.7 ? 'x' : Math.abs(axes.along[1]) > 0.7 ? 'y' : 'xy';
         return [
-            { key: 'middle', at: on(left + width / 2), label: 'place', axes: direction, drag: (p) => place(element, ['left'], [Math.max(0, to(p) - width / 2)]) },
-            { key: 'left', at: on(left), label: 'left edge', axes: direction, drag: (p) => toLeft(to(p)) },
-            { key: 'right', at: on(left + width), label: 'right edge', axes: direction, drag: (p) => toRight(to(p)) },
+            { key: 'middle', at: on(left + width / 2), label: 'place', axes: direction, drag: (p) => place(element, ['left'], [toPlace(along(p))]) },
+            { key: 'left', at: on(left), label: 'left edge', axes: direction, drag: (p) => toLeft(along(p)) },
+            { key: 'right', at: on(left + width), label: 'right edge', axes: direction, drag: (p) => toRight(along(p)) },
         ];
     }
     return [];

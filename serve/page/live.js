@@ -12,12 +12,16 @@ const COARSE = 0.1, FINE = 0.01;
 
 let running = false, wanted = false, restTimer = 0, isDue = false;
 let trace = null; // an AbortController
+let pointing = false, pointed = null; // the position whose components are shown
 let asked = 0;
 
 // Times of the last contours, for the benchmark: server and transfer, drawing.
 export const timings = [];
 
-export const switches = { trace: true, error: 1, curves: 'exact+bre' };
+export const switches = { trace: true, error: 1 };
+
+// The curve and the components use the method of the contours.
+const methodOf = (plan) => plan?.method ?? 'exact+bre';
 
 function optionsOf(more = {}) {
     const options = { ...more };
@@ -27,16 +31,17 @@ function optionsOf(more = {}) {
 
 // The curve follows the contours: on two cores, both at once would only delay the contours.
 async function updateOnce() {
-    const text = board.text, from = performance.now();
+    const { variant, text, roomName, method } = board, from = performance.now();
     const tolerance = board.isHeld ? COARSE : FINE;
-    const answer = await engine.plan(text, optionsOf({ tolerance, ...(board.method ? { methods: board.method } : {}) }));
+    const answer = await engine.plan(text, optionsOf({ tolerance, ...(method ? { methods: method } : {}) }));
     const got = performance.now();
     board.cut = chooseCut(answer.scene);
+    variant.drawn = { text, room: roomName, method, scene: answer.scene, plan: answer.plan };
     board.settle({ scene: answer.scene, plan: answer.plan, why: answer.why ?? '', mistakes: [], error: null });
     timings.push({ answered: got - from, drawn: performance.now() - got });
     if (timings.length > 500) timings.shift();
     const points = board.cut ? pointsOfCut(answer.scene, board.cut) : [];
-    board.settle({ section: points.length ? await engine.df(text, optionsOf({ methods: switches.curves, points })).catch(() => null) : null });
+    board.settle({ section: points.length ? await engine.df(text, optionsOf({ methods: methodOf(answer.plan), points })).catch(() => null) : null });
 }
 
 async function update() {
@@ -68,6 +73,16 @@ async function askFigures() {
     board.settle({ df: values[board.active], all: values });
 }
 
+// The plan of the variant that is not being changed.
+async function askOther() {
+    const other = board.variants[1 - board.active], { text } = other ?? {}, room = board.roomName;
+    const { method } = board, drawn = other?.drawn;
+    if (!other || (drawn?.text === text && drawn.room === room && drawn.method === method)) return;
+    const answer = await engine.plan(text, optionsOf({ tolerance: FINE, ...(method ? { methods: method } : {}) })).catch(() => null);
+    other.drawn = { text, room, method, scene: answer?.scene, plan: answer?.plan };
+    board.tell('other');
+}
+
 export function stopTrace() {
     trace?.abort();
     trace = null;
@@ -79,10 +94,12 @@ export const isTracing = () => trace !== null;
 export async function startTrace() {
     stopTrace();
     const own = trace = new AbortController();
+    const { variant, text, roomName } = board;
     board.tell('trace');
     try {
-        for await (const { event, data } of engine.trace(board.text, optionsOf({ error: switches.error }), own.signal)) {
+        for await (const { event, data } of engine.trace(text, optionsOf({ error: switches.error }), own.signal)) {
             if (own !== trace) return;
+            if (event === 'estimate') variant.simulated = { text, room: roomName, average: data.average };
             if (event === 'estimate') board.settle({ trace: data });
             else board.settle({ traced: data, trace: { ...board.results.trace, isDone: true } });
         }
@@ -98,6 +115,9 @@ function begin() {
     if (board.results.error) return;
     if (switches.trace) startTrace();
     askFigures();
+    askOther();
+    pointed = null;
+    askPoint();
     board.tell('rested');
 }
 
@@ -113,7 +133,7 @@ function rest() {
 
 // ---- at the pointer ----
 
-let pointing = false, pointed = null;
+
 
 async function askPoint() {
     if (pointing || !board.pointer) return;
@@ -122,7 +142,7 @@ async function askPoint() {
         pointed = board.pointer;
         const [x, y] = pointed;
         try {
-            const answer = await engine.df(board.text, optionsOf({ methods: switches.curves, points: [[Number(x.toFixed(3)), Number(y.toFixed(3))]], explain: true }));
+            const answer = await engine.df(board.text, optionsOf({ methods: methodOf(board.results.plan), points: [[Number(x.toFixed(3)), Number(y.toFixed(3))]], explain: true }));
             board.settle({ point: answer, pointError: '' });
         } catch (error) {
             board.settle({ point: null, pointError: error.message });

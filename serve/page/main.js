@@ -3,10 +3,10 @@
 import { board } from './board.js';
 import { engine, setKey, setToken } from './engine.js';
 import { readAddress, writeAddress } from './address.js';
-import { $, h, replaceChildren } from './dom.js';
+import { $, h, replaceChildren, say } from './dom.js';
 import { setMany, setAttributes } from './room_text.js';
-import { boundsWith, createPlanView, scaleFor } from './plan_view.js';
-import { createSectionView } from './section_view.js';
+import { boundsWith, createOtherPlan, createPlanView, scaleFor } from './plan_view.js';
+import { bottomOf, createSectionView } from './section_view.js';
 import { createAxonView } from './axon_view.js';
 import { setUpProperties, copySelected, deleteSelected } from './properties.js';
 import { setUpLive, isBusy, timings } from './live.js';
@@ -21,16 +21,23 @@ import { setUpFiles } from './files.js';
 
 let lowerMode = 'section', withOutside = false;
 
-// One scale for plan and section, so that both can be compared.
-function scaleOf(scene) {
-    const bounds = boundsWith(scene, withOutside);
+function fitting(scene, bounds) {
     const box = $('plan').getBoundingClientRect(), low = $('lower').getBoundingClientRect();
-    const tall = Math.max(20, (low.height - 50) / Math.max(0.5, scene.height - Math.min(0, scene.ground)));
-    const deep = (low.width - 60) / Math.max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
-    return { bounds, scale: Math.min(scaleFor(bounds, box.width, box.height, 34), withOutside ? Infinity : Math.min(tall, deep)) };
+    const tall = Math.max(20, (low.height - 50) / Math.max(0.5, scene.height - bottomOf(scene)));
+    const deep = (low.width - 100) / Math.max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
+    return Math.min(scaleFor(bounds, box.width, box.height, 36), withOutside ? Infinity : Math.min(tall, deep));
+}
+
+// One scale for plan and section, and for the plans of both variants, so that they can be compared.
+function scaleOf() {
+    const scenes = board.variants.map((v, i) => (i === board.active ? board.results.scene : v.drawn?.scene)).filter(Boolean);
+    const all = scenes.map((s) => boundsWith(s, withOutside));
+    const bounds = [0, 1, 2, 3].map((k) => (k % 2 ? Math.max : Math.min)(...all.map((b) => b[k])));
+    return { bounds, scale: Math.min(...scenes.map((s) => fitting(s, bounds))), withOutside };
 }
 
 const drawPlan = createPlanView($('plan'), scaleOf);
+const drawOther = createOtherPlan($('other-plan'), scaleOf);
 const drawSection = createSectionView($('lower'), scaleOf);
 const drawAxon = createAxonView($('lower'), () => {
     const [, month, day] = $('sun-date').value.split('-').map(Number);
@@ -45,6 +52,7 @@ function drawLower() {
 }
 
 function draw() {
+    drawOther();
     drawPlan();
     drawLower();
 }
@@ -87,7 +95,23 @@ function drawChoices() {
     for (const [i, id] of ['variant-a', 'variant-b'].entries()) $(id).setAttribute('aria-pressed', String(board.active === i));
     $('undo').disabled = !board.variant?.undo.length;
     $('redo').disabled = !board.variant?.redo.length;
+    $('room-name').textContent = rooms.length > 1 ? '' : board.roomName;
     document.title = `${board.roomName || 'Room'} \u2013 pepperpot`;
+}
+
+function showOutside(on) {
+    withOutside = on;
+    $('outside').setAttribute('aria-pressed', String(on));
+}
+
+// Parts that stand outside the room: they are out of sight until the surroundings are shown.
+const OUTSIDE = ['block', 'tree'];
+
+async function copyLink() {
+    const { message } = await navigator.clipboard.writeText(location.href).then(() => ({
+        message: `The link is copied. It contains the whole room, and opens as long as the server at ${location.host} runs. To keep the room, download the room file.`,
+    }), () => ({ message: 'The browser does not allow copying; copy the address of this page instead. It contains the whole room.' }));
+    say(message);
 }
 
 function setUpBar() {
@@ -102,10 +126,11 @@ function setUpBar() {
         event.target.value = '';
     });
     $('outside').addEventListener('click', () => {
-        withOutside = !withOutside;
-        $('outside').setAttribute('aria-pressed', String(withOutside));
+        showOutside(!withOutside);
         draw();
     });
+    $('link').addEventListener('click', copyLink);
+    $('jump').addEventListener('click', (event) => $(event.target.dataset.to)?.scrollIntoView());
     $('theme').addEventListener('click', () => {
         const dark = document.documentElement.dataset.theme ? document.documentElement.dataset.theme === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches;
         document.documentElement.dataset.theme = dark ? 'light' : 'dark';
@@ -127,7 +152,9 @@ function setUpBar() {
         } else if (event.key === 'Delete' && !isText) {
             deleteSelected();
         } else if (event.key === 'Escape' && !isText) {
+            board.isPointerKept = false;
             board.select(-1);
+            draw();
         }
     });
     board.on('size', (event) => {
@@ -184,7 +211,7 @@ async function start() {
     });
     setUpLive(); // first, so that a request leaves before the page is drawn
     setUpProperties();
-    setUpResults();
+    setUpResults(server);
     setUpCriteria();
     setUpSheets(server);
     setUpYear();
@@ -198,6 +225,7 @@ async function start() {
     setUpTabs($('main-tabs'), (tab) => {
         $('panel-drawing').hidden = tab !== 'drawing';
         $('panel-text').hidden = tab !== 'text';
+        $('drawing-choices').hidden = tab !== 'drawing';
         draw();
     });
     setUpTabs($('result-tabs'), (tab) => {
@@ -205,12 +233,17 @@ async function start() {
         board.tell('tab');
     });
     for (const id of ['sun-date', 'sun-time']) $(id).addEventListener('input', draw);
-    board.on('text', () => {
+    board.on('text', (event) => {
+        if (event.detail.from !== 'open') say('');
         drawChoices();
         draw(); // so that handles and parts belong to the new text
         writeAddress(board.variants[0].text, board.variants[1]?.text);
     });
-    board.on('selection', draw);
+    board.on('selection', () => {
+        if (OUTSIDE.includes(board.element?.name)) showOutside(true);
+        draw();
+    });
+    board.on('other', drawOther);
     board.on('results', (event) => {
         if ('scene' in event.detail || 'trace' in event.detail) draw();
         else if ('section' in event.detail) drawLower();
@@ -220,14 +253,11 @@ async function start() {
         board.variants.push({ text: address.other, undo: [], redo: [] });
         board.tell('text', { from: 'variant' });
     }
-    if (address.isBroken) $('message').textContent = 'The room in the address could not be read; this is an example.';
+    if (address.isBroken) say('The room in the address could not be read; this is an example.');
     await setUpText();
 }
 
 // For tests and benchmarks, which read the page as a user sees it, and wait until it is up to date.
 window.pepperpot = { board, isBusy, timings, setAttributes };
 
-start().catch((error) => {
-    $('message').textContent = error.message;
-    $('message').classList.add('bad');
-});
+start().catch((error) => say(error.message, true));

@@ -51,6 +51,18 @@ export function readElements(text) {
     return elements;
 }
 
+// The innermost element whose start tag contains a place, and the name of the attribute there:
+// { element, name }, or null. line and column count from 1.
+export function partAt(text, elements, line, column) {
+    let at = 0;
+    for (let i = 1; i < line; i++) at = text.indexOf('\n', at) + 1;
+    at += column - 1;
+    const element = elements.filter((e) => e.from <= at && at < e.to).pop();
+    if (!element) return null;
+    const found = Object.entries(element.attributes).find(([, a]) => a.nameFrom <= at && at <= a.to);
+    return { element, name: found?.[0] };
+}
+
 export function valueOf(element, name, usual = undefined) {
     return element?.attributes[name]?.value ?? usual;
 }

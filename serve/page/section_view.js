@@ -3,11 +3,11 @@
 
 import { board } from './board.js';
 import { s, pathOf, replaceChildren } from './dom.js';
-import { cutBy, pointsOf, rangeOf, wallAxes } from './geometry.js';
+import { cutBy, isInPlane, pointsOf, rangeOf, wallAxes } from './geometry.js';
 import { handlesOf, openingOf, surfaceOfWall } from './handles.js';
 import { drawHandles, listenToDrags } from './drag.js';
 import { valueOf, numberOf } from './room_text.js';
-import { mappingOf } from './plan_view.js';
+import { drawScale, mappingOf } from './plan_view.js';
 import { labelOf } from './kinds.js';
 
 // Where the section is taken: { at, direction, range }: through the first line of points, or
@@ -39,7 +39,8 @@ export function chooseCut(scene) {
         direction = [0, 1];
     }
     const along = floor.map((p) => [(p[0] - at[0]) * direction[0] + (p[1] - at[1]) * direction[1]]);
-    return { at, direction, range: rangeOf(along, 0) };
+    const ends = scene.surfaces.slice(0, scene.faces).filter((f) => f.role === 'floor').flatMap((f) => cutBy(pointsOf(f.xyz), at, direction).flat());
+    return { at, direction, range: rangeOf(ends.length ? ends : along, 0) };
 }
 
 // Points for the curve: along the cut, from 0.25 m inside its ends, or a tenth of its length if
@@ -52,16 +53,6 @@ export function pointsOfCut(scene, cut, count = 33) {
         points.push([cut.at[0] + l * cut.direction[0], cut.at[1] + l * cut.direction[1]]);
     }
     return points.filter((p) => isInPlane(scene.plane, p));
-}
-
-function isInPlane(rings, [x, y]) {
-    let inside = false;
-    for (const ring of rings)
-        for (let i = 0, k = ring.length - 2; i < ring.length; k = i, i += 2) {
-            const [ax, ay, bx, by] = [ring[i], ring[i + 1], ring[k], ring[k + 1]];
-            if (ay > y !== by > y && x < (bx - ax) * (y - ay) / (by - ay) + ax) inside = !inside;
-        }
-    return inside;
 }
 
 function cutOfScene(scene, cut) {
@@ -87,13 +78,14 @@ function cutOfScene(scene, cut) {
     };
 }
 
-function drawSkylines(scene, cut, to) {
+function drawSkylines(scene, cut, to, width) {
     return scene.skylines.map((skyline) => {
         const eye = cut.eyeOfWall(scene.surfaces[skyline.face]?.name);
         if (!eye) return null;
         const reach = 60, angle = skyline.angle * Math.PI / 180;
         const end = [eye.s + eye.side * reach * Math.cos(angle), eye.z + reach * Math.sin(angle)];
-        const at = to([eye.s + eye.side * 2 * Math.cos(angle), eye.z + 2 * Math.sin(angle)]);
+        const places = [2, 1.5, 1, 0.5].map((l) => to([eye.s + eye.side * l * Math.cos(angle), eye.z + l * Math.sin(angle)]));
+        const at = places.find(([x]) => x > 4 && x < width - 30) ?? places[3];
         return s('g', { class: 'skyline' }, s('path', { d: pathOf([to([eye.s, eye.z]), to(end)]) }),
             s('text', { x: at[0], y: at[1] - 8 }, `${Number(skyline.angle.toFixed(1))}\u00b0`));
     });
@@ -120,63 +112,89 @@ function drawSection(scene, cut, to) {
     return [...nodes, ...glass, plane];
 }
 
-// The curve of the first method, drawn from the working plane upwards: 1 m of height is a round
-// number of per cent.
+// The curve of the contours' method, drawn from the working plane upwards, with its scale to the
+// right of the room. 1 m of height is a round number of per cent.
 function drawCurve(scene, cut, to) {
     const section = board.results.section;
     if (!section?.points.length) return null;
-    const values = section.points.map((p) => Object.values(p.df)[0]?.value).map((v, i) => [cut.along([section.points[i].x, section.points[i].y]), v]);
+    const first = (p, part) => Object.values(p[part] ?? {})[0]?.value;
+    const values = section.points.map((p) => first(p, 'df') ?? first(p, 'sc')).map((v, i) => [cut.along([section.points[i].x, section.points[i].y]), v]);
     const shown = values.filter(([, v]) => v !== null && v !== undefined);
     const most = Math.max(...shown.map(([, v]) => v));
     const room = scene.height - scene['working-plane'];
     const step = [0.5, 1, 2, 5, 10, 20, 50].find((k) => most / k <= room) ?? 50;
     const at = ([l, v]) => to([l, scene['working-plane'] + v / step]);
-    const end = shown[shown.length - 1];
+    if (!shown.length) return null;
+    const pixels = (v) => Math.abs(at([0, v])[1] - at([0, 0])[1]);
+    const tick = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50].find((v) => pixels(v) >= 22) ?? 100;
+    const x = to([cut.range[1], 0])[0] + 9, y = (v) => at([0, v])[1];
+    const ticks = Array.from({ length: Math.floor(room * step / tick) + 1 }, (_, i) => Number((i * tick).toPrecision(3)));
     return s('g', { class: 'curve' }, s('path', { d: pathOf(shown.map(at)) }),
-        end && s('text', { x: at(end)[0] - 4, y: at(end)[1] - 6 }, `1 m: ${step} %`));
+        s('path', { class: 'axis', d: `M${x} ${y(0)}V${y(ticks[ticks.length - 1])}${ticks.map((v) => `M${x} ${y(v)}h5`).join('')}` }),
+        ticks.map((v) => s('text', { x: x + 8, y: y(v) + 4 }, `${v} %`)));
 }
 
 export function createSectionView(svg, scaleOf) {
-    let drawn = null;
+    let drawn = null, fit = null;
     listenToDrags(svg, () => drawn);
     return function draw(mode) {
         const { scene } = board.results;
         if (!scene) return;
         const { width, height } = svg.getBoundingClientRect();
         svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
-        if (mode === 'elevation') drawn = drawElevation(svg, scene, width, height, scaleOf(scene).scale);
-        else drawn = drawCutView(svg, scene, width, height, scaleOf(scene).scale);
+        if (!board.isHeld || !fit) fit = { ...scaleOf(), mapping: null }; // as in the plan
+        if (mode === 'elevation') drawn = drawElevation(svg, scene, width, height, fit);
+        else drawn = drawCutView(svg, scene, width, height, fit);
     };
 }
 
-function drawCutView(svg, scene, width, height, scale) {
+// Ranges of the section: of the room, with the ground if it is near; or of everything outside that
+// the section meets.
+function boundsOfCut(scene, cut, withOutside) {
+    const room = [cut.range[0], cut.range[1], bottomOf(scene), scene.height];
+    if (!withOutside) return room;
+    const ends = scene.surfaces.filter((f) => f.role === 'block').flatMap((f) => cut.section(pointsOf(f.xyz)).flat());
+    const all = [...ends, [room[0], Math.min(0, scene.ground)], [room[1], room[3]]];
+    return [...rangeOf(all, 0), ...rangeOf(all, 1)];
+}
+
+const DEEPEST = 1; // m below the floor: ground further down is not shown
+export function bottomOf(scene) {
+    return Math.max(-DEEPEST, Math.min(0, scene.ground));
+}
+
+function drawCutView(svg, scene, width, height, fit) {
+    const { scale: planScale, withOutside } = fit;
     if (!board.cut) {
         replaceChildren(svg, s('text', { class: 'empty', x: 16, y: 28 }, 'There is no section of this room.'));
         return null;
     }
     const cut = { ...board.cut, ...cutOfScene(scene, board.cut) };
-    const bounds = [cut.range[0], cut.range[1], Math.min(0, scene.ground), scene.height];
-    const mapping = mappingOf(bounds, width, height, scale);
+    const bounds = boundsOfCut(scene, cut, withOutside);
+    const scale = withOutside ? Math.min(planScale, (width - 100) / (bounds[1] - bounds[0]), (height - 50) / (bounds[3] - bounds[2])) : planScale;
+    const mapping = fit.mapping ??= mappingOf(bounds, width, height, scale);
     const view = { name: 'section', ...mapping, handles: handlesOf('section', board.element, scene, { cut }) };
     const ground = mapping.toScreen([0, scene.ground])[1];
     replaceChildren(svg, s('title', {}, 'Section'), s('path', { class: 'ground', d: `M0 ${ground}H${width}` }),
-        drawSkylines(scene, cut, mapping.toScreen), drawSection(scene, cut, mapping.toScreen), drawCurve(scene, cut, mapping.toScreen), drawHandles(view));
+        drawSkylines(scene, cut, mapping.toScreen, width), drawSection(scene, cut, mapping.toScreen), drawCurve(scene, cut, mapping.toScreen),
+        scale !== planScale && drawScale(scale, width, height), drawHandles(view));
     return view;
 }
 
 // The wall that an elevation shows: of what is selected, or of the first window.
 function wallOfElevation(scene) {
-    const element = [board.element, ...board.parts.filter((e) => e.name === 'window')].find((e) => e && surfaceOfWall(scene, valueOf(e, 'wall')) >= 0);
+    const hasWall = (e) => e && valueOf(e, 'wall') !== undefined && surfaceOfWall(scene, valueOf(e, 'wall')) >= 0;
+    const element = [board.element, board.element?.parent, ...board.parts.filter((e) => e.name === 'window')].find(hasWall);
     const face = element ? surfaceOfWall(scene, valueOf(element, 'wall')) : scene.openings[0]?.face ?? -1;
     return face >= 0 ? face : scene.surfaces.findIndex((f) => f.role === 'wall');
 }
 
-function drawElevation(svg, scene, width, height, scale) {
+function drawElevation(svg, scene, width, height, fit) {
     const wall = wallOfElevation(scene);
     if (wall < 0) return null;
     const surface = scene.surfaces[wall], axes = wallAxes(surface);
     const bounds = [...rangeOf(axes.outline, 0), ...rangeOf(axes.outline, 1)];
-    const mapping = mappingOf(bounds, width, height, Math.min(scale, (width - 24) / (bounds[1] - bounds[0]), (height - 40) / (bounds[3] - bounds[2])));
+    const mapping = fit.mapping ??= mappingOf(bounds, width, height, Math.min(fit.scale, (width - 24) / (bounds[1] - bounds[0]), (height - 40) / (bounds[3] - bounds[2])));
     const to = mapping.toScreen;
     const view = { name: 'elevation', ...mapping, handles: handlesOf('elevation', board.element, scene, { wall }) };
     const openings = board.parts.filter((e) => ['window', 'rooflight', 'opening'].includes(e.name)).map((element) => {
@@ -185,8 +203,12 @@ function drawElevation(svg, scene, width, height, scale) {
         return s('path', { class: `glass${element.index === board.selected ? ' selected' : ''}`, 'data-element': element.index,
             d: pathOf(pointsOf(opening.inner).map((p) => to(axes.to(p))), true) }, s('title', {}, labelOf(element)));
     });
+    const names = scene.openings.filter((o) => o.face === wall && scene.openings.length > 1).map((o) => {
+        const corners = pointsOf(o.inner).map((p) => to(axes.to(p)));
+        return s('text', { x: rangeOf(corners, 0)[0] + 6, y: rangeOf(corners, 1)[0] + 16 }, o.label);
+    });
     replaceChildren(svg, s('title', {}, `Elevation of wall ${surface.name ?? ''} from outside`),
-        s('path', { class: 'walls', d: pathOf(axes.outline.map(to), true) }), openings,
+        s('path', { class: 'walls', d: pathOf(axes.outline.map(to), true) }), openings, names,
         s('text', { class: 'caption', x: 12, y: 20 }, `Wall ${surface.name ?? ''} from outside`), drawHandles(view));
     return view;
 }

@@ -3,12 +3,14 @@
 
 import { board } from './board.js';
 import { engine } from './engine.js';
-import { $, h, download, fileName, replaceChildren } from './dom.js';
+import { labelOf } from './kinds.js';
+import { $, h, download, fileName, replaceChildren, say } from './dom.js';
 
 // Kinds that need a point: the room's first one.
 const FROM_POINT = ['waldram', 'pepper-pot', 'protractor', 'brs-table', 'position-nomogram'];
 const SHOWN = ['waldram', 'pepper-pot', 'protractor', 'nomogram', 'brs-table', 'section', 'plan', 'elevation', 'vertical-sky', 'skylight-indicator', 'sun-path', 'availability', 'position-nomogram', 'note'];
 
+let charts = []; // of the engine: { name, summary }
 let asked = null, url = null, weather = null, rendering = null;
 
 function optionsFor(kind) {
@@ -26,18 +28,28 @@ function optionsFor(kind) {
 function show(blob, alt) {
     if (url) URL.revokeObjectURL(url);
     url = URL.createObjectURL(blob);
-    replaceChildren($('sheet'), h('img', { src: url, alt }));
+    replaceChildren($('sheet'), h('img', { src: url, alt, onclick: enlarge }));
+    replaceChildren($('large-sheet'), h('img', { src: url, alt }));
+}
+
+function enlarge() {
+    if ($('large-sheet').firstChild) $('sheet-dialog').showModal();
 }
 
 export async function updateSheet() {
     if ($('panel-sheets').hidden || !board.text) return;
     asked?.abort();
     const own = asked = new AbortController(), kind = $('sheet-kind').value;
+    const { summary } = charts.find((c) => c.name === kind);
+    $('sheet-about').textContent = `${summary[0].toUpperCase()}${summary.slice(1)}.`;
     $('sheet').setAttribute('aria-busy', 'true');
     try {
         show(await engine.file(`chart/${kind}`, board.text, { ...optionsFor(kind), format: 'svg' }, own.signal), `${kind} of ${board.roomName || 'the room'}`);
     } catch (error) {
-        if (error.name !== 'AbortError') replaceChildren($('sheet'), h('p', { class: 'bad' }, error.message));
+        if (error.name !== 'AbortError') {
+            replaceChildren($('sheet'), h('p', { class: 'bad' }, error.message));
+            replaceChildren($('large-sheet'));
+        }
     }
     if (own === asked) $('sheet').removeAttribute('aria-busy');
 }
@@ -48,13 +60,14 @@ async function downloadChart(format) {
 }
 
 async function saved(work) {
+    say('The file is being made\u2026');
     try {
         await work();
     } catch (error) {
-        $('sheet-message').textContent = error.message;
+        say(error.message, true);
         return;
     }
-    $('sheet-message').textContent = '';
+    say('The file is in the downloads of the browser.');
 }
 
 export async function downloadFile(what) {
@@ -92,11 +105,12 @@ async function size() {
     const box = $('size-answer');
     box.textContent = 'Looking\u2026';
     try {
-        const answer = await engine.size(board.text, { target: `${Number($('size-target').value)}%`, change: $('size-change').value, 'by-hand': true });
-        box.textContent = answer.answer ?? 'There is no answer.';
+        const answer = await engine.size(board.text, { target: `${Number($('size-target').value)}%`, change: $('size-change').value, 'by-hand': true, ...(board.rooms.length > 1 && board.roomName ? { room: board.roomName } : {}) });
+        box.textContent = answer.answer ? `${answer.answer[0].toUpperCase()}${answer.answer.slice(1)}.` : 'There is no answer.';
         const elements = (answer.windows ?? []).filter((w) => w.is === 'changed').map((w) => [board.elements.find((e) => e.line === w.line && e.name === 'window'), w]).filter(([e]) => e);
         if (!elements.length) return;
-        box.append(' ', h('button', { type: 'button', onclick: () => board.tell('size', elements) }, 'Use it'));
+        const sizes = elements.map(([e, w]) => `${labelOf(e)}: ${['left', 'sill', 'width', 'height'].filter((k) => Number.isFinite(w[k])).map((k) => `${k} ${Number(w[k].toFixed(3))} m`).join(', ')}`);
+        box.append(h('ul', {}, sizes.map((text) => h('li', {}, text))), h('button', { type: 'button', onclick: () => board.tell('size', elements) }, 'Use it'));
     } catch (error) {
         box.textContent = error.message;
     }
@@ -110,9 +124,11 @@ export function useWeather(found) {
 }
 
 export function setUpSheets(about) {
+    charts = about.charts;
     const kinds = SHOWN.filter((kind) => about.charts.some((c) => c.name === kind));
     $('sheet-kind').append(...kinds.map((kind) => h('option', { value: kind }, kind)));
     $('sheet-kind').addEventListener('change', updateSheet);
+    $('sheet-enlarge').addEventListener('click', enlarge);
     for (const format of ['pdf', 'svg', 'png']) $(`sheet-${format}`).addEventListener('click', () => downloadChart(format));
     $('picture-start').addEventListener('click', render);
     $('picture-stop').addEventListener('click', () => rendering?.abort());
@@ -121,4 +137,5 @@ export function setUpSheets(about) {
         size();
     });
     board.on('rested tab', updateSheet);
+    board.on('pointer', () => { if (board.isPointerKept && FROM_POINT.includes($('sheet-kind').value)) updateSheet(); });
 }

@@ -109,9 +109,8 @@ function drawFigures() {
         h('dl', {}, row('Occupied hours with 300 lx or more', a.da300, '%'), row('Occupied hours with 100 to 3000 lx', sumOf(a['udi-low'], a['udi-good']), '%'),
             row('Mean illuminance in occupied hours', a['mean-lux'], 'lx'), row('Points with 300 lx in half of the hours', annual.grid && annual.plane?.['da300/50-area'], '%')),
         h('p', { class: 'note' }, `Occupied: ${annual.hours}. Blinds are open.`),
-        h('div', { class: 'scrolls', tabindex: 0, role: 'region', 'aria-label': 'Illuminance by month' },
-            h('table', { id: 'year-months' }, h('caption', {}, `Occupied hours by month, ${shown.about}`),
-                h('thead', {}, h('tr', {}, ['Month', 'mean', '300 lx or more'].map((t) => h('th', { scope: 'col' }, t)))), h('tbody', {}, months))),
+        h('table', { id: 'year-months' }, h('caption', {}, `Occupied hours by month, ${shown.about}`),
+            h('thead', {}, h('tr', {}, ['Month', 'mean', '300 lx or more'].map((t) => h('th', { scope: 'col' }, t)))), h('tbody', {}, months)),
         annual.warnings.map((w) => h('p', { class: 'note' }, `Warning: ${w}.`)));
 }
 
@@ -159,7 +158,7 @@ export async function startYear() {
     stopYear();
     if (!weather || !board.text) return;
     if (isAtPointer() && !board.pointer) {
-        tellState('Move the pointer over the plan, or enter a position under Figures.');
+        tellState('Click a position on the plan, or enter one under Figures.');
         return;
     }
     const own = running = new AbortController();
@@ -224,7 +223,7 @@ export function setUpYear() {
     });
     board.on('rested', () => { if (isOpen() && !running && !shown) startYear(); });
     board.on('tab', () => { if (!isOpen()) stopYear(); else if (!shown && !running) startYear(); });
-    board.on('pointer', () => { if (isOpen() && isAtPointer()) startAtRest(); });
+    board.on('pointer', () => { if (isOpen() && isAtPointer() && board.isPointerKept) startAtRest(); });
     // The colours of the map are those of the theme.
     new MutationObserver(drawMap).observe(document.documentElement, { attributes: true, attributeFilter: ['data-theme'] });
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', drawMap);

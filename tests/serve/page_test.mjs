@@ -79,7 +79,7 @@ check('the address has the room', await until(() => location.hash.startsWith('#r
 const handles = [
     ['window', 'plan', 'plan right', 25, 0, 'width'], ['window', 'plan', 'plan left', 8, 0, 'left'], ['window', 'plan', 'plan middle', 20, 0, 'left'],
     ['window', 'section', 'section head', 0, 15, 'height'], ['window', 'section', 'section sill', 0, 10, 'sill'],
-    ['window', 'elevation', 'elevation middle', 15, -5, 'left'], ['window', 'elevation', 'elevation left', -10, 0, 'left'], ['window', 'elevation', 'elevation right', 10, 0, 'width'],
+    ['window', 'elevation', 'elevation middle', -15, -5, 'left'], ['window', 'elevation', 'elevation left', -10, 0, 'left'], ['window', 'elevation', 'elevation right', -10, 0, 'width'],
     ['window', 'elevation', 'elevation sill', 0, 10, 'sill'], ['window', 'elevation', 'elevation head', 0, 10, 'height'],
     ['plan', 'plan', 'plan width', 20, 0, 'width'], ['plan', 'plan', 'plan depth', 0, -20, 'depth'], ['plan', 'section', 'section height', 0, -10, 'height'],
     ['skyline', 'section', 'section angle', 0, -15, 'angle'], ['working-plane', 'section', 'section plane', 0, -10, 'height'],
@@ -100,12 +100,25 @@ for (const [element, view, handle, dx, dy, name] of handles) {
 const steps = parseFloat(await attribute('window', 'width'));
 check('in steps of 5 cm', Math.abs(steps * 20 - Math.round(steps * 20)) < 1e-6, steps);
 
-// ---- keys, typing, undo ----
-
-// The drags above may have left windows that overlap.
+// The windows of this room are 0.6 m apart.
 await example('office');
 await idle();
-await until(() => document.getElementById('status').hidden);
+await select('window');
+await drag('plan right', 300, 0);
+const [end, next] = [parseFloat(await attribute('window', 'left')) + parseFloat(await attribute('window', 'width')), parseFloat(await attribute('window', 'left', 1))];
+check('an edge of a window stops at the next window', Math.abs(end - next) < 1e-6, [end, next]);
+await select('plan');
+await idle();
+await page.evaluate(() => document.querySelector('[data-handle="plan width"]').scrollIntoView({ block: 'center' }));
+const widthBefore = parseFloat(await attribute('plan', 'width'));
+const perMetre = await page.evaluate((w) => document.querySelector('#plan .walls').getBBox().width / w, widthBefore);
+await drag('plan width', perMetre, 0);
+check('a wall follows the pointer while the room grows', Math.abs(parseFloat(await attribute('plan', 'width')) - widthBefore - 1) < 0.06, [widthBefore, await attribute('plan', 'width')]);
+
+// ---- keys, typing, undo ----
+
+await example('office');
+await idle();
 await select('window');
 await idle();
 const left = parseFloat(await attribute('window', 'left'));
@@ -118,6 +131,14 @@ const before = await text();
 await page.evaluate(() => { const e = document.getElementById('value-sill'); e.value = '1.1'; e.dispatchEvent(new Event('change')); });
 await idle();
 check('a typed value is taken', (await attribute('window', 'sill')) === '1.1');
+const type = (name, value) => page.evaluate((n, v) => { const e = document.getElementById(`value-${n}`); e.value = v; e.dispatchEvent(new Event('change')); }, name, value);
+for (const [written, metres] of [['1,15', '1.15'], ['90 cm', '0.9'], ['1050 mm', '1.05'], ['1.1 m', '1.1']]) {
+    await type('sill', written);
+    check(`"${written}" is ${metres} m`, (await attribute('window', 'sill')) === metres, await attribute('window', 'sill'));
+}
+await idle();
+for (let i = 0; i < 4; i++) await page.click('#undo');
+check('four values are undone one by one', (await attribute('window', 'sill')) === '1.1');
 await page.click('#undo');
 check('undone', (await text()) === before);
 await page.click('#redo');
@@ -127,6 +148,10 @@ for (const kind of ['window', 'rooflight', 'block', 'point', 'skyline']) {
     await page.select('#add', kind);
     check(`a ${kind} is added and selected`, await page.evaluate((k) => window.pepperpot.board.element?.name === k, kind));
 }
+await idle();
+check('nothing that was added overlaps another part', await page.evaluate(() => document.getElementById('status').hidden), await page.evaluate(() => document.getElementById('status').textContent));
+check('a block shows the surroundings', await page.evaluate(() => document.getElementById('outside').getAttribute('aria-pressed') === 'true'));
+await page.click('#outside');
 await page.click('#delete');
 await select('block');
 await page.click('#copy');
@@ -138,10 +163,19 @@ check('all of it is undone', (await attribute('window', 'sill')) === '1.1');
 
 await page.evaluate(() => window.pepperpot.board.change(window.pepperpot.board.text.replace('sill="1.1"', 'sill="high"'), { from: 'text' }));
 check('a mistake is said', await until(() => !document.getElementById('status').hidden && /sill is "high"/.test(document.getElementById('status').textContent)));
+check('and its field is marked', await until(() => document.getElementById('value-sill')?.getAttribute('aria-invalid') === 'true'));
+await page.evaluate(() => window.pepperpot.board.select(-1));
+await page.evaluate(() => window.pepperpot.board.change(window.pepperpot.board.text.replace('sill="high"', 'sill="higher"'), { from: 'text' }));
+check('a button leads to the part with the mistake', await until(() => document.querySelector('#status button')));
+await page.click('#status button');
+check('which is the window', (await page.evaluate(() => window.pepperpot.board.element?.name)) === 'window');
+await page.click('#undo');
 await tab('text');
 check('and listed with its place', await until(() => /Line \d+, column \d+: window: sill/.test(document.getElementById('mistakes').textContent)));
 check('the editor is there', await page.evaluate(() => Boolean(document.querySelector('#editor > div')?.shadowRoot?.querySelector('.cm-content') ?? document.getElementById('text'))));
+if (process.env.SHOTS) await shots('text');
 await tab('drawing');
+check('the former drawing is dimmed', await page.evaluate(() => getComputedStyle(document.getElementById('lower')).opacity < 0.6));
 await page.click('#undo');
 check('undo takes the mistake back', await until(() => document.getElementById('status').hidden), await page.evaluate(() => document.getElementById('status').textContent));
 
@@ -179,16 +213,37 @@ await page.select('#trace-error', '0.5');
 check('a simulation runs', await until(() => document.getElementById('trace-button').textContent === 'Stop'));
 await page.click('#trace-button');
 check('and stops', await until(() => document.getElementById('trace-button').textContent === 'Simulate'));
+await page.evaluate(() => scrollTo(0, 0));
+const inside = await page.evaluate(() => { const b = document.querySelector('#plan .walls').getBoundingClientRect(); return [b.x + 0.3 * b.width, b.y + 0.55 * b.height]; });
+await page.mouse.click(...inside);
+const kept = await page.evaluate(() => window.pepperpot.board.pointer);
+await page.mouse.move(inside[0] + 60, inside[1] + 20);
+check('a click keeps the position whose figures are shown', await page.evaluate((k) => window.pepperpot.board.pointer.join() === k.join() && Boolean(document.querySelector('#plan .place.kept path')), kept));
 await page.type('#place-text', '1.5, 2');
 await page.evaluate(() => document.querySelector('#place button').click());
-check('components at a place are shown by opening', await until(() => /window in south/.test(document.getElementById('point-figures').textContent)));
+check('components at a place are shown by opening', await until(() => /Window, south/.test(document.getElementById('point-figures').textContent)));
 await page.click('#compare');
 check('a second variant stands beside the first', await until(() => document.querySelectorAll('#averages thead th').length === 3));
+check('with its plan', await until(() => document.querySelectorAll('#other-plan .contour').length > 3));
+const unchanged = await page.evaluate(() => document.querySelector('#averages tbody td:nth-child(2)').textContent);
+await page.evaluate(() => { const { board } = window.pepperpot; board.change(board.text.replace(/(<window [^>]*width=")[^"]*/, '$11')); });
+check('the variants have different averages, the simulated ones, too', await until((u) => {
+    const values = (row) => [...row.querySelectorAll('td')].map((d) => parseFloat(d.textContent));
+    const rows = [...document.querySelectorAll('#averages tbody tr')], first = values(rows[0]), last = values(rows[rows.length - 1]);
+    return first[0] === parseFloat(u) && first[1] < first[0] && last[1] < last[0];
+}, unchanged));
+if (process.env.SHOTS) await shots('compare');
 await page.click('#compare');
 await tab('criteria');
 check('criteria are judged', await until(() => /no-sky line/i.test(document.getElementById('criteria').textContent)));
+check('and changes that would help are listed', await until(() => /What would help/.test(document.getElementById('criteria').textContent)));
+if (process.env.SHOTS) await shots('criteria');
 await tab('sheets');
 check('a sheet is drawn', await until(() => document.querySelector('#sheet img')?.naturalWidth > 0));
+await page.click('#sheet-enlarge');
+check('and enlarged', await page.evaluate(() => document.getElementById('sheet-dialog').open && document.querySelector('#large-sheet img').getBoundingClientRect().width > 800));
+if (process.env.SHOTS) await shots('sheet');
+await page.keyboard.press('Escape');
 await tab('axon');
 check('the axonometric view is drawn', await until(() => document.querySelectorAll('#lower .face').length > 2));
 
