@@ -69,11 +69,11 @@ static bool add_plane(struct json_object *object, const struct pp_annual_result 
                                          "the weather has no direct sun")
                 && pp_json_number(to, "near_half", sheet->near_half);
     double area_m2 = pp_point_areas_sum(sheet->receivers, sheet->receiver_count);
+    double sun_h = pp_annual_sheet_has_sun(sheet) ? sheet->mean.sun_h.value : NAN;
     if (!isnan(area_m2))
         good = good && pp_json_number(to, "area_m2", area_m2)
-               && pp_json_number(to, "sun_hours_mean_h", sheet->mean.sun_h.value)
-               && pp_json_number(to, "sun_hours_sum_m2h",
-                                 sheet->mean.sun_h.value * area_m2);
+               && pp_json_number(to, "sun_hours_mean_h", sun_h)
+               && pp_json_number(to, "sun_hours_sum_m2h", sun_h * area_m2);
     for (int i = 0; i < PP_ANNUAL_LEVELS && good; i++) {
         char key[32];
         snprintf(key, sizeof key, "en17037-%g", pp_annual_sheet_levels_lx[i]);

@@ -115,10 +115,13 @@ static void print_plane(const struct text_page *page)
                 "more than 1000 lx of direct sun for over 250 h");
     if (!isnan(area_m2)) {
         double sun_h = sheet->mean.sun_h.value;
-        snprintf(text, sizeof text,
-                 "mean over the plane %.0f h; sum over its area %.0f m2 h (%.4g m2, "
-                 "hours with more than 1000 lx of direct sun)",
-                 sun_h, sun_h * area_m2, area_m2);
+        if (pp_annual_sheet_has_sun(sheet))
+            snprintf(text, sizeof text,
+                     "mean over the plane %.0f h; sum over its area %.0f m2 h (%.4g "
+                     "m2, hours with more than 1000 lx of direct sun)",
+                     sun_h, sun_h * area_m2, area_m2);
+        else
+            snprintf(text, sizeof text, "not known: the weather has no direct sun");
         print_annual_fact(page, "sun hours", text);
     }
     print_levels(page);

@@ -295,19 +295,30 @@ static enum pp_status resolve_default(struct pp_resolver *r, struct receiver_lis
     return PP_OK;
 }
 
+/* Several grids would count the area of the plane several times: each grid represents
+ * an equal part of the plane instead. */
+static void divide_plane(const struct receiver_list *list, int grids)
+{
+    for (int i = 0; i < list->count && grids > 1; i++)
+        list->items[i].area_m2 /= grids;
+}
+
 enum pp_status pp_build_receivers(struct pp_resolver *r, struct pp_error *err)
 {
     const struct pp_room *room = r->room;
     struct receiver_list list = {0};
     enum pp_status status = PP_OK;
+    int grids = 0;
     for (int i = 0; i < room->receiver_count && status == PP_OK; i++) {
         const struct pp_receiver_part *part = &room->receivers[i];
+        grids += part->kind == PP_GRID;
         status = part->kind == PP_POINT  ? resolve_point(r, &list, part, err)
                  : part->kind == PP_LINE ? resolve_line(r, &list, part, err)
                                          : resolve_grid(r, &list, part, err);
     }
     if (status == PP_OK && room->receiver_count == 0)
         status = resolve_default(r, &list, err);
+    divide_plane(&list, grids);
     r->world->receivers = list.items;
     r->world->receiver_count = list.count;
     return status;

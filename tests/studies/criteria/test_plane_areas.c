@@ -66,6 +66,21 @@ static void cells_of_a_rectangle_have_equal_areas(void **state)
     pp_world_destroy(world);
 }
 
+/* 8 x 7 cells and 5 x 4 cells over 4.1 x 3.7 m. */
+static void two_grids_share_the_area_of_the_plane(void **state)
+{
+    (void)state;
+    struct pp_world *world =
+        pp_test_world("<room version='1'><plan width='4.1' depth='3.7' height='2.9'/>"
+                      "<grid spacing='0.55' margin='0'/><grid spacing='1' margin='0'/>"
+                      "</room>");
+    int count = world->receiver_count;
+    assert_int_equal(count, 8 * 7 + 5 * 4);
+    assert_near(pp_point_areas_sum(world->receivers, count), 4.1 * 3.7, 1e-12);
+    assert_near(pp_point_areas_sum(world->receivers, 8 * 7), 4.1 * 3.7 / 2.0, 1e-12);
+    pp_world_destroy(world);
+}
+
 /* sDA of a plan of two rectangles is not the share of the points: here the front reaches
  * 300 lx at every point and the arm at none. */
 static void sda_of_an_l_shaped_plan_is_that_of_its_areas(void **state)
@@ -107,6 +122,7 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(points_of_an_l_shaped_plan_represent_its_two_rectangles),
         cmocka_unit_test(cells_of_a_rectangle_have_equal_areas),
+        cmocka_unit_test(two_grids_share_the_area_of_the_plane),
         cmocka_unit_test(sda_of_an_l_shaped_plan_is_that_of_its_areas),
     };
     add_tests(tests, NULL, NULL);
