@@ -28,7 +28,7 @@ function drawFinding(finding) {
 function drawHelp(gains) {
     const changes = (gains?.changes ?? []).filter((c) => c.change);
     const now = Number.isFinite(gains?.average) ? ` Now: ${figure(gains.average)} %.` : '';
-    return changes.length > 0 && [h('h3', {}, 'What would help'),
+    return changes.length > 0 && [h('h2', {}, 'What would help'),
         h('p', { class: 'note' }, `Single changes, with the average daylight factor after each${gains.method ? `, by ${gains.method}` : ''}.${now}`),
         h('ul', {}, changes.map((c) => h('li', {}, `${c.change}${Number.isFinite(c.average) ? `: ${figure(c.average)} %` : ''}`)))];
 }
@@ -37,7 +37,7 @@ function draw(answer) {
     const room = Array.isArray(answer) ? answer[0] : answer;
     const judged = (room.criteria ?? []).filter((c) => c.findings?.length);
     const left = (room.criteria ?? []).filter((c) => !c.findings?.length);
-    replaceChildren($('criteria'), judged.map((c) => [h('h3', {}, c.title ?? c.criterion, c.source && h('span', { class: 'note' }, ` ${c.source}`)),
+    replaceChildren($('criteria'), judged.map((c) => [h('h2', {}, c.title ?? c.criterion, c.source && h('span', { class: 'note' }, ` ${c.source}`)),
         h('table', { class: 'findings' }, h('tbody', {}, c.findings.map(drawFinding)))]),
     drawHelp(room.gains), room.reliability?.relied_on === false && h('p', { class: 'note' }, `${room.reliability.why}.`),
     left.length > 0 && h('p', { class: 'note' }, `Not applicable: ${left.map((c) => c.title ?? c.criterion).join(', ')}.`));

@@ -4,7 +4,7 @@
 import { board } from './board.js';
 import { engine } from './engine.js';
 import { $, h, say } from './dom.js';
-import { insertInto } from './room_text.js';
+import { insertInto, metresPer } from './room_text.js';
 import { useWeather } from './sheets_panel.js';
 import { useYearWeather } from './year_panel.js';
 
@@ -35,7 +35,7 @@ function addObj(text) {
     const surfaces = surfacesOfObj(text);
     if (!surfaces.length) throw new Error('The OBJ file has no faces.');
     if (surfaces.length > SURFACES_MOST) throw new Error(`The OBJ file has ${surfaces.length} faces; the drawing board accepts at most ${SURFACES_MOST}. Use <mesh> in a room file and the pepperpot command instead.`);
-    const xml = surfaces.map((corners) => `<surface reflectance="0.3">${corners.map(([x, y, z]) => `<vertex x="${x}" y="${y}" z="${z}"/>`).join('')}</surface>`).join('\n');
+    const xml = surfaces.map((corners) => `<surface reflectance="0.3">${corners.map((c) => c.map((v) => Number((v / metresPer(board.room)).toPrecision(9)))).map(([x, y, z]) => `<vertex x="${x}" y="${y}" z="${z}"/>`).join('')}</surface>`).join('\n');
     board.change(insertInto(board.text, board.room, xml));
 }
 

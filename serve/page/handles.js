@@ -5,7 +5,7 @@
 //
 // Views: plan (x, y), elevation (u, v of a wall), section (s, z).
 
-import { numberOf, valueOf, written } from './room_text.js';
+import { lengthOf, lengthsOf, numberOf, valueOf, written, writtenLength } from './room_text.js';
 import { pointsOf, rangeOf, wallAxes } from './geometry.js';
 
 const SMALLEST = 0.05; // m: of a window or block
@@ -21,24 +21,20 @@ export function openingOf(scene, elements, element) {
     return scene.openings.filter((o) => o.line === element.line)[same.indexOf(element)] ?? null;
 }
 
-function pair(element, name) {
-    return (valueOf(element, name, '') ?? '').trim().split(/[\s,]+/).map(Number);
-}
-
 function place(element, names, values) {
-    return [[element, Object.fromEntries(names.map((name, i) => [name, written(values[i])]))]];
+    return [[element, Object.fromEntries(names.map((name, i) => [name, writtenLength(element, values[i])]))]];
 }
 
 function vertexHandles(element) {
     return element.children.filter((c) => c.name === 'vertex').map((vertex, i) => ({
-        key: `vertex-${i}`, at: [numberOf(vertex, 'x'), numberOf(vertex, 'y')], label: `corner ${i + 1}`, axes: 'xy',
+        key: `vertex-${i}`, at: [lengthOf(vertex, 'x'), lengthOf(vertex, 'y')], label: `corner ${i + 1}`, axes: 'xy',
         drag: (p) => place(vertex, ['x', 'y'], p),
     }));
 }
 
 function boxHandles(element, names = ['width', 'depth']) {
-    const x = numberOf(element, 'x'), y = numberOf(element, 'y');
-    const width = numberOf(element, names[0]), depth = numberOf(element, names[1]);
+    const x = lengthOf(element, 'x'), y = lengthOf(element, 'y');
+    const width = lengthOf(element, names[0]), depth = lengthOf(element, names[1]);
     const turn = numberOf(element, 'rotate', 0) * Math.PI / 180;
     const ex = [Math.cos(turn), Math.sin(turn)], ey = [-ex[1], ex[0]];
     const at = (a, b) => [x + a * ex[0] + b * ey[0], y + a * ex[1] + b * ey[1]];
@@ -59,7 +55,7 @@ function boxHandles(element, names = ['width', 'depth']) {
 
 // The part of a wall around a window that no other window beside it takes: [from, to].
 function roomInWall(element, axes) {
-    const side = (e, name, extent) => [numberOf(e, name), numberOf(e, name) + numberOf(e, extent)];
+    const side = (e, name, extent) => [lengthOf(e, name), lengthOf(e, name) + lengthOf(e, extent)];
     const [left, right] = side(element, 'left', 'width'), [sill, head] = side(element, 'sill', 'height');
     const others = (element.parent?.children ?? []).filter((e) => e !== element && e.name === 'window' && valueOf(e, 'wall') === valueOf(element, 'wall'))
         .filter((e) => { const [low, high] = side(e, 'sill', 'height'); return low < head && high > sill; }).map((e) => side(e, 'left', 'width'));
@@ -72,8 +68,8 @@ function windowHandles(scene, element, view) {
     const face = surfaceOfWall(scene, valueOf(element, 'wall'));
     if (face < 0) return [];
     const axes = wallAxes(scene.surfaces[face]);
-    const left = numberOf(element, 'left'), width = numberOf(element, 'width');
-    const sill = numberOf(element, 'sill'), height = numberOf(element, 'height');
+    const left = lengthOf(element, 'left'), width = lengthOf(element, 'width');
+    const sill = lengthOf(element, 'sill'), height = lengthOf(element, 'height');
     const [from, to] = roomInWall(element, axes), top = rangeOf(axes.outline, 1)[1];
     const toPlace = (u) => Math.max(from, Math.min(u - width / 2, to - width));
     const toLeft = (u) => { const l = Math.min(Math.max(from, u), left + width - SMALLEST); return place(element, ['left', 'width'], [l, left + width - l]); };
@@ -108,25 +104,25 @@ function sectionHandles(scene, element, cut) {
     if (element.name === 'window') {
         const s = cut.placeOfWall(valueOf(element, 'wall'));
         if (s === null) return [];
-        const sill = numberOf(element, 'sill'), height = numberOf(element, 'height');
+        const sill = lengthOf(element, 'sill'), height = lengthOf(element, 'height');
         return [
             { key: 'sill', at: [s, sill], label: 'sill', axes: 'y', drag: ([, z]) => { const v = Math.min(Math.max(0, z), sill + height - SMALLEST); return place(element, ['sill', 'height'], [v, sill + height - v]); } },
             { key: 'head', at: [s, sill + height], label: 'head', axes: 'y', drag: ([, z]) => place(element, ['height'], [Math.max(SMALLEST, z - sill)]) },
         ];
     }
     if (element.name === 'plan') {
-        const eaves = numberOf(element, 'height'), pitch = numberOf(element, 'pitch') * Math.PI / 180;
+        const eaves = lengthOf(element, 'height'), pitch = numberOf(element, 'pitch') * Math.PI / 180;
         const run = (scene.height - eaves) / Math.tan(pitch); // horizontal length of a slope
         const roof = run > 0 ? [{ key: 'pitch', at: [cut.middle, scene.height], label: 'pitch of the roof', axes: 'y', isFree: true,
             drag: ([, z]) => [[element, { pitch: written(Math.min(85, Math.max(1, Math.round(Math.atan2(z - eaves, run) * 180 / Math.PI))), 0) }]] }] : [];
         return [{ key: 'height', at: [cut.middle, eaves], label: 'height', axes: 'y', drag: ([, z]) => place(element, ['height'], [Math.max(1, z)]) }, ...roof];
     }
     if (element.name === 'working-plane')
-        return [{ key: 'plane', at: [cut.middle, numberOf(element, 'height', scene['working-plane'])], label: 'height', axes: 'y', drag: ([, z]) => place(element, ['height'], [Math.max(0, z)]) }];
+        return [{ key: 'plane', at: [cut.middle, lengthOf(element, 'height', scene['working-plane'])], label: 'height', axes: 'y', drag: ([, z]) => place(element, ['height'], [Math.max(0, z)]) }];
     if (element.name === 'block') {
         const s = cut.placeOfBlock(element.line);
-        const top = numberOf(element, 'base', 0) + numberOf(element, 'height');
-        return s === null ? [] : [{ key: 'top', at: [s, top], label: 'height', axes: 'y', drag: ([, z]) => place(element, ['height'], [Math.max(SMALLEST, z - numberOf(element, 'base', 0))]) }];
+        const top = lengthOf(element, 'base', 0) + lengthOf(element, 'height');
+        return s === null ? [] : [{ key: 'top', at: [s, top], label: 'height', axes: 'y', drag: ([, z]) => place(element, ['height'], [Math.max(SMALLEST, z - lengthOf(element, 'base', 0))]) }];
     }
     if (element.name === 'skyline') {
         const eye = cut.eyeOfWall(valueOf(element, 'wall'));
@@ -156,25 +152,25 @@ function placedHandles(view, element, scene, { wall = -1, cut = null } = {}) {
     switch (element.name) {
     case 'plan': {
         if (element.children.length) return vertexHandles(element);
-        const width = numberOf(element, 'width'), depth = numberOf(element, 'depth');
+        const width = lengthOf(element, 'width'), depth = lengthOf(element, 'depth');
         return [
             { key: 'width', at: [width, depth / 2], label: 'width', axes: 'x', drag: ([x]) => place(element, ['width'], [Math.max(0.5, x)]) },
             { key: 'depth', at: [width / 2, depth], label: 'depth', axes: 'y', drag: ([, y]) => place(element, ['depth'], [Math.max(0.5, y)]) },
         ];
     }
     case 'vertex':
-        return [{ key: 'vertex', at: [numberOf(element, 'x'), numberOf(element, 'y')], label: 'corner', axes: 'xy', drag: (p) => place(element, ['x', 'y'], p) }];
+        return [{ key: 'vertex', at: [lengthOf(element, 'x'), lengthOf(element, 'y')], label: 'corner', axes: 'xy', drag: (p) => place(element, ['x', 'y'], p) }];
     case 'point':
-        return [{ key: 'point', at: [numberOf(element, 'x'), numberOf(element, 'y')], label: 'place', axes: 'xy', drag: (p) => place(element, ['x', 'y'], p) }];
+        return [{ key: 'point', at: [lengthOf(element, 'x'), lengthOf(element, 'y')], label: 'place', axes: 'xy', drag: (p) => place(element, ['x', 'y'], p) }];
     case 'line': case 'partition':
-        return ['from', 'to'].map((name) => ({ key: name, at: pair(element, name).slice(0, 2), label: name === 'from' ? 'beginning' : 'end', axes: 'xy',
-            drag: (p) => [[element, { [name]: [...p.map((c) => written(c)), ...pair(element, name).slice(2)].join(' ') }]] }));
+        return ['from', 'to'].map((name) => ({ key: name, at: lengthsOf(element, name).slice(0, 2), label: name === 'from' ? 'beginning' : 'end', axes: 'xy',
+            drag: (p) => [[element, { [name]: [...p, ...lengthsOf(element, name).slice(2)].map((c) => writtenLength(element, c)).join(' ') }]] }));
     case 'rooflight': case 'block': case 'furniture': case 'column':
         return boxHandles(element);
     case 'opening': case 'surface': case 'face': case 'garden':
         return vertexHandles(element);
     case 'skyline': {
-        const face = surfaceOfWall(scene, valueOf(element, 'wall')), distance = numberOf(element, 'distance');
+        const face = surfaceOfWall(scene, valueOf(element, 'wall')), distance = lengthOf(element, 'distance');
         if (face < 0 || !Number.isFinite(distance)) return [];
         const axes = wallAxes(scene.surfaces[face]);
         const [low, high] = rangeOf(pointsOf(scene.surfaces[face].xyz).map((p) => [axes.to(p)[0]]), 0);

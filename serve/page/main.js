@@ -4,7 +4,7 @@ import { board } from './board.js';
 import { engine, setKey, setToken } from './engine.js';
 import { readAddress, writeAddress } from './address.js';
 import { $, h, replaceChildren, say } from './dom.js';
-import { setMany, setAttributes } from './room_text.js';
+import { setMany, setAttributes, writtenLength } from './room_text.js';
 import { boundsWith, createOtherPlan, createPlanView, scaleFor } from './plan_view.js';
 import { bottomOf, createSectionView } from './section_view.js';
 import { createAxonView } from './axon_view.js';
@@ -137,13 +137,16 @@ function setUpBar() {
         localStorage.setItem('pepperpot-theme', document.documentElement.dataset.theme);
     });
     document.addEventListener('keydown', (event) => {
-        const isText = event.target.closest?.('input, textarea, select, .cm-editor, #editor');
+        // In a field whose value has not been changed, the keys act on the room.
+        const field = event.target.closest?.('#values input');
+        const isTyped = event.target.closest?.('input:not([type=checkbox]), textarea, #editor') && (!field || field.value !== field.dataset.value);
+        const isText = isTyped || event.target.closest?.('input, select');
         const control = event.ctrlKey || event.metaKey;
-        if (control && event.key.toLowerCase() === 'z' && !isText) {
+        if (control && event.key.toLowerCase() === 'z' && !isTyped) {
             if (event.shiftKey) board.redo();
             else board.undo();
             event.preventDefault();
-        } else if (control && event.key.toLowerCase() === 'y' && !isText) {
+        } else if (control && event.key.toLowerCase() === 'y' && !isTyped) {
             board.redo();
             event.preventDefault();
         } else if (control && event.key.toLowerCase() === 'd' && !isText) {
@@ -158,7 +161,7 @@ function setUpBar() {
         }
     });
     board.on('size', (event) => {
-        const changes = event.detail.map(([element, w]) => [element, Object.fromEntries(['left', 'sill', 'width', 'height'].filter((k) => Number.isFinite(w[k])).map((k) => [k, String(w[k])]))]);
+        const changes = event.detail.map(([element, w]) => [element, Object.fromEntries(['left', 'sill', 'width', 'height'].filter((k) => Number.isFinite(w[k])).map((k) => [k, writtenLength(element, w[k])]))]);
         board.change(setMany(board.text, changes));
     });
     const wide = new ResizeObserver(draw);

@@ -3,7 +3,7 @@
 import { board } from './board.js';
 import { $, h, replaceChildren } from './dom.js';
 import { ABOUT_NEW, HINTS, KINDS, NEW_PARTS, USUAL, attributesOf, labelOf } from './kinds.js';
-import { insertBehind, insertInto, numberOf, partAt, readElements, removeElement, setAttributes, textOf, valueOf, written } from './room_text.js';
+import { insertBehind, insertInto, lengthOf, metresPer, partAt, readElements, removeElement, setAttributes, textOf, valueOf, written, writtenLength } from './room_text.js';
 import { pointsOf, rangeOf, wallAxes } from './geometry.js';
 import { surfaceOfWall } from './handles.js';
 
@@ -24,17 +24,17 @@ function drawParts() {
     list.value = String(shown.some((e) => e.index === board.selected) ? board.selected : -1);
 }
 
-// A number as people write it, with a decimal comma or a unit of length, as the file requires it, in
-// metres; other text stays as it is.
-export function numberText(text) {
+// A number as people write it, with a decimal comma or a unit of length, as the file requires it;
+// other text stays as it is.
+function numberText(text, element) {
     const found = /^([+-]?\d*[.,]?\d+)\s*(mm|cm|m|\u00b0)?$/.exec(text);
     if (!found) return text;
-    const number = Number(found[1].replace(',', '.')), scale = { mm: 0.001, cm: 0.01 }[found[2]];
-    return scale ? written(number * scale, 6) : found[1].replace(',', '.');
+    const number = Number(found[1].replace(',', '.')), scale = { mm: 0.001, cm: 0.01, m: 1 }[found[2]];
+    return scale ? written(number * scale / metresPer(element), 6) : found[1].replace(',', '.');
 }
 
 function setValue(element, name, value, unit) {
-    const text = unit ? numberText(value.trim()) : value.trim();
+    const text = unit ? numberText(value.trim(), element) : value.trim();
     const changes = { [name]: text === '' ? null : text };
     // A pitched roof needs a pitch, and a flat one must not have any.
     if (name === 'roof' && ['', 'flat'].includes(text)) Object.assign(changes, { pitch: null, teeth: null });
@@ -50,6 +50,7 @@ function drawValue(element, [name, unit, choices]) {
         ? h('select', { id }, [...new Set(['', ...listed, value])].map((c) => h('option', { value: c }, c || USUAL[name] || '\u2013')))
         : h('input', { id, type: 'text', value, placeholder: USUAL[name], inputmode: unit ? 'decimal' : null, autocomplete: 'off', spellcheck: 'false' });
     input.value = value;
+    input.dataset.value = value;
     input.addEventListener('change', () => setValue(board.elements[element.index], name, input.value, unit));
     input.addEventListener('focus', () => { $('value-hint').textContent = HINTS[name] ?? ''; });
     input.addEventListener('keydown', (event) => {
@@ -57,12 +58,12 @@ function drawValue(element, [name, unit, choices]) {
         const number = parseFloat(input.value);
         if (!step || !unit || listed || !Number.isFinite(number)) return;
         event.preventDefault();
-        const by = unit === '\u00b0' ? 1 : 0.05;
+        const by = unit === '\u00b0' ? 1 : 0.05 / metresPer(element);
         input.value = String(Number((number + step * by).toFixed(3)));
         setValue(board.elements[element.index], name, input.value, unit);
     });
     const isWide = choices?.some((c) => c.length > 10);
-    return h('div', { class: isWide ? 'value wide' : 'value' }, h('label', { for: id }, name), h('span', { class: 'field' }, input, unit && h('span', { class: 'unit' }, unit)));
+    return h('div', { class: isWide ? 'value wide' : 'value' }, h('label', { for: id }, name), h('span', { class: 'field' }, input, unit && h('span', { class: 'unit' }, unit === 'm' && metresPer(element) < 1 ? 'mm' : unit)));
 }
 
 function drawValues() {
@@ -72,7 +73,7 @@ function drawValues() {
         replaceChildren(box, h('p', { class: 'hint' }, 'Click a window, a wall or another part in the drawing, or choose it in the list. Drag its handles, or move them with the arrow keys, in steps of 5 cm; hold Alt to move them freely.'));
         return;
     }
-    replaceChildren(box, h('h3', {}, labelOf(element)), h('div', { class: 'value-grid' }, attributesOf(element).map((a) => drawValue(element, a))));
+    replaceChildren(box, h('h2', {}, labelOf(element)), h('div', { class: 'value-grid' }, attributesOf(element).map((a) => drawValue(element, a))));
 }
 
 function boundsOfRoom() {
@@ -100,7 +101,7 @@ function placeInWall(wall, width, from = 0) {
     if (face < 0) return null;
     const length = rangeOf(wallAxes(scene.surfaces[face]).outline, 0)[1];
     const taken = board.parts.filter((e) => e.name === 'window' && valueOf(e, 'wall') === wall)
-        .map((e) => [numberOf(e, 'left') - 0.2, numberOf(e, 'left') + numberOf(e, 'width') + 0.2]);
+        .map((e) => [lengthOf(e, 'left') - 0.2, lengthOf(e, 'left') + lengthOf(e, 'width') + 0.2]);
     const isFree = (left) => left + width <= length - 0.2 + 1e-9 && taken.every(([a, b]) => left + width <= a + 1e-9 || left >= b - 1e-9);
     const lefts = [0.2, ...taken.map(([, b]) => Math.max(0.2, b))].sort((a, b) => a - b).filter(isFree);
     const left = lefts.find((l) => l >= from) ?? lefts[0];
@@ -118,7 +119,7 @@ function placeOfWindow() {
 
 // The middle of the room, or the nearest place without a rooflight within 0.2 m.
 function placeOfRooflight(bounds) {
-    const taken = board.parts.filter((e) => e.name === 'rooflight').map((e) => ['x', 'y', 'width', 'depth'].map((name) => numberOf(e, name)));
+    const taken = board.parts.filter((e) => e.name === 'rooflight').map((e) => ['x', 'y', 'width', 'depth'].map((name) => lengthOf(e, name)));
     const middle = [(bounds[0] + bounds[1]) / 2 - 0.5, (bounds[2] + bounds[3]) / 2 - 0.5];
     const isFree = ([x, y]) => taken.every(([a, b, w, d]) => x >= a + w + 0.2 || x + 1.2 <= a || y >= b + d + 0.2 || y + 1.2 <= b);
     const places = [middle];
@@ -138,6 +139,13 @@ function wallsWithoutSkyline() {
 
 const SINGLE = ['working-plane', 'sky'];
 
+// The text of an element that is in metres, in the unit of the room's file.
+function inFileUnits(xml) {
+    const own = readElements(xml)[0], lengths = KINDS[own.name].attributes.filter(([name, unit]) => unit === 'm' && own.attributes[name]);
+    const changes = lengths.map(([name]) => [name, own.attributes[name].value.split(' ').map((word) => writtenLength(board.room, Number(word))).join(' ')]);
+    return setAttributes(xml, own, Object.fromEntries(changes));
+}
+
 // Adds a part and selects it: after the last one of its kind or, if there is none, at its position
 // in the order of a room file.
 function add(kind) {
@@ -148,7 +156,7 @@ function add(kind) {
         return;
     }
     const bounds = boundsOfRoom();
-    const xml = NEW_PARTS[kind](bounds, PLACES[kind]?.(bounds));
+    const xml = inFileUnits(NEW_PARTS[kind](bounds, PLACES[kind]?.(bounds)));
     const isChild = kind === 'blind';
     const parent = isChild ? (board.element?.name === 'window' ? board.element : board.parts.find((e) => e.name === 'window')) : room;
     if (!parent) return;
@@ -170,16 +178,16 @@ export function copySelected() {
     const moved = { left: 0.2, x: 0.2 };
     const own = readElements(xml)[0];
     if (element.name === 'window') {
-        const left = numberOf(element, 'left'), width = numberOf(element, 'width');
+        const left = lengthOf(element, 'left'), width = lengthOf(element, 'width');
         const place = placeInWall(valueOf(element, 'wall'), width, left + width);
         if (place) moved.left = Number(place.left) - left;
-    } else if (Number.isFinite(numberOf(element, 'width'))) {
-        moved.x = numberOf(element, 'width') + 0.2;
+    } else if (Number.isFinite(lengthOf(element, 'width'))) {
+        moved.x = lengthOf(element, 'width') + 0.2;
     }
     for (const [name, by] of Object.entries(moved)) {
         const value = parseFloat(own.attributes[name]?.value);
         if (Number.isFinite(value)) {
-            xml = setAttributes(xml, own, { [name]: String(Number((value + by).toFixed(3))) });
+            xml = setAttributes(xml, own, { [name]: written(value + by / metresPer(element)) });
             break;
         }
     }

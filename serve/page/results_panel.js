@@ -103,7 +103,7 @@ function drawPoint() {
 function drawMistakes() {
     const { mistakes, error } = board.results;
     const part = error && mistakes.length ? partAt(board.text, board.elements, mistakes[0].line, mistakes[0].column)?.element : null;
-    replaceChildren($('status'), error && [`${mistakes.length > 1 ? `${mistakes.length} mistakes. ` : ''}${error}. Drawing and figures are those of the last room without mistakes. `,
+    replaceChildren($('status'), error && [`${mistakes.length > 1 ? `${mistakes.length} mistakes. ` : ''}${mistakes.length && !part ? `Line ${mistakes[0].line}: ` : ''}${error}. Drawing and figures are those of the last room without mistakes. `,
         part && part.index !== board.selected && KINDS[part.name] && h('button', { type: 'button', onclick: () => board.select(part.index) }, `Show ${labelOf(part)}`)]);
     $('status').hidden = !error;
     document.body.classList.toggle('stale', Boolean(error));

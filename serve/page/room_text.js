@@ -72,6 +72,29 @@ export function numberOf(element, name, usual = NaN) {
     return Number.isFinite(value) ? value : usual;
 }
 
+// Metres of one unit of length in the file of an element: lengths are in metres or in millimetres.
+export function metresPer(element) {
+    let root = element;
+    while (root?.parent) root = root.parent;
+    return valueOf(root, 'units') === 'mm' ? 0.001 : 1;
+}
+
+// A length in metres.
+export function lengthOf(element, name, usual = NaN) {
+    const value = numberOf(element, name);
+    return Number.isFinite(value) ? value * metresPer(element) : usual;
+}
+
+// Lengths separated by blanks, in metres.
+export function lengthsOf(element, name) {
+    return valueOf(element, name, '').trim().split(/[\s,]+/).map((word) => Number(word) * metresPer(element));
+}
+
+// A length in metres as the file of an element has it.
+export function writtenLength(element, metres) {
+    return written(metres / metresPer(element));
+}
+
 function splice(text, from, to, by) {
     return text.slice(0, from) + by + text.slice(to);
 }

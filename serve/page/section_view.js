@@ -6,7 +6,7 @@ import { s, pathOf, replaceChildren } from './dom.js';
 import { cutBy, isInPlane, pointsOf, rangeOf, wallAxes } from './geometry.js';
 import { handlesOf, openingOf, surfaceOfWall } from './handles.js';
 import { drawHandles, listenToDrags } from './drag.js';
-import { valueOf, numberOf } from './room_text.js';
+import { lengthOf, lengthsOf, valueOf } from './room_text.js';
 import { drawScale, mappingOf } from './plan_view.js';
 import { labelOf } from './kinds.js';
 
@@ -21,14 +21,14 @@ export function chooseCut(scene) {
     if (element && surfaceOfWall(scene, valueOf(element, 'wall')) >= 0) {
         const axes = wallAxes(scene.surfaces[surfaceOfWall(scene, valueOf(element, 'wall'))]);
         const [low, high] = rangeOf(axes.outline, 0);
-        const u = element.name === 'window' ? numberOf(element, 'left', 0) + numberOf(element, 'width', 0) / 2 : (low + high) / 2;
+        const u = element.name === 'window' ? lengthOf(element, 'left', 0) + lengthOf(element, 'width', 0) / 2 : (low + high) / 2;
         at = axes.from([u, 0]).slice(0, 2);
         direction = [-axes.outwards[0], -axes.outwards[1]];
         const length = Math.hypot(...direction);
         if (length < 0.1) return null;
         direction = direction.map((c) => c / length);
     } else if (line) {
-        const ends = ['from', 'to'].map((name) => valueOf(line, name, '').trim().split(/[\s,]+/).map(Number));
+        const ends = ['from', 'to'].map((name) => lengthsOf(line, name));
         const by = [ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]], length = Math.hypot(...by);
         if (!(length > 0)) return null;
         at = ends[0].slice(0, 2);

@@ -35,6 +35,14 @@ async function loadEditor(parent, changed) {
     }
 }
 
+// After a change from elsewhere the selection is a cursor: otherwise text that was replaced would stay
+// selected, and the next key would delete it.
+function setText() {
+    editor.setText(board.text);
+    const { view } = editor;
+    if (view) view.dispatch({ selection: { anchor: view.state.selection.main.head } });
+}
+
 let editor = null, turn = 0, timer = 0;
 
 async function checkText() {
@@ -57,7 +65,7 @@ export async function setUpText() {
         board.change(text, { from: 'text', series: 'typing' });
     });
     board.on('text', (event) => {
-        if (event.detail.from !== 'text') editor.setText(board.text);
+        if (event.detail.from !== 'text') setText();
         clearTimeout(timer);
         timer = setTimeout(checkText, WAIT_MS);
     });
