@@ -1,7 +1,7 @@
 #!/bin/sh
 # write_performance.sh PROGRAM BENCH ... - prints docs/PERFORMANCE.md: the machine, the output of
-# each benchmark program, and the comparisons with Radiance by compare_radiance.sh and
-# compare_rpict.sh in the folder of this script. SCENES="NAME ...": scenes of compare_radiance.sh
+# each benchmark program, the comparisons with Radiance by compare_radiance.sh and compare_rpict.sh,
+# and the latency of the drawing board by bench_page.sh in the folder of this script. SCENES="NAME ...": scenes of compare_radiance.sh
 # (default: all). Run by make bench.
 set -eu
 LC_ALL=C
@@ -110,3 +110,20 @@ cat <<'END'
 pass) calculates a sixteenth of the pixels.
 END
 sh "$here/compare_rpict.sh" "$program"
+say bench_page.sh
+cat <<'END'
+
+## The drawing board
+
+`bench/bench_page.sh` drags a window of each example room in the page of `pepperpot serve`, in headless
+Chromium, which draws by software. Clock times in milliseconds, from a pointer event to the updated
+contours [median 50, 95th percentile 100]; with the parts that the server, the transfer and the drawing
+take. Then, from a change to the first simulated estimate [150] and until the target of 1 % is reached at
+all points [1000].
+
+END
+if board=$(sh "$here/bench_page.sh"); then
+    printf '```\n%s\n```\n' "$board"
+else
+    echo "Not measured: $board."
+fi
