@@ -104,12 +104,13 @@ static enum pp_status settle_plan_grid(struct pp_plan_study *study,
                                        const struct pp_study_room *room,
                                        struct pp_error *err)
 {
-    enum pp_status status = pp_plane_figures_fill(&study->report, room, err);
     const struct pp_report *report = &study->report;
+    const struct pp_receiver *all = report->receivers;
+    enum pp_status status = pp_plane_figures_fill(&study->report, room, err);
     int first = report->grid_of_standard ? room->receiver_count : 0;
     if (status == PP_OK && report->grid_points > 0)
         status = pp_plane_figures_sum_up(&study->figures, study->figures.points + first,
-                                         report->grid_points, err);
+                                         all + first, report->grid_points, err);
     return status;
 }
 
@@ -207,15 +208,15 @@ static const double coarse = 4.0;
 /* Checks the grid. *known is true if the median and the fractions of the area above the
  * levels meet the target error. */
 static enum pp_status plane_is_known(bool *known, const struct pp_column *column,
-                                     int first, int count, double error,
-                                     struct pp_error *err)
+                                     const struct pp_receiver *receivers, int first,
+                                     int count, double error, struct pp_error *err)
 {
     struct pp_column grid = {.component = PP_DF, .common = column->common};
     *known = true;
     if (count - first < 1)
         return PP_OK;
-    enum pp_status status =
-        pp_plane_figures_sum_up(&grid, column->points + first, count - first, err);
+    enum pp_status status = pp_plane_figures_sum_up(
+        &grid, column->points + first, receivers + first, count - first, err);
     if (status != PP_OK || !grid.has_plane)
         return status;
     *known = grid.plane.median.std_error <= error * grid.plane.median.value;
@@ -247,9 +248,9 @@ static enum pp_status trace_points(struct pp_report *report,
     for (;;) {
         enum pp_status status = pp_study_report_traced(report, &own, by_clock, err);
         if (status == PP_OK)
-            status = plane_is_known(&known, pp_report_find(report, PP_DF, traced),
-                                    count > own_points ? own_points : 0, count,
-                                    options->error, err);
+            status = plane_is_known(
+                &known, pp_report_find(report, PP_DF, traced), report->receivers,
+                count > own_points ? own_points : 0, count, options->error, err);
         if (status != PP_OK || known || once || own.error <= options->error
             || !report->finished)
             return status;

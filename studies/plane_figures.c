@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/results/common_error.h"
 #include "model/results/lattice.h"
 #include "studies/criteria/grid/plane_grid.h"
 #include "studies/criteria/grid/plane_share.h"
@@ -50,12 +49,13 @@ enum pp_status pp_plane_figures_receivers(struct pp_receiver **all, int *count,
 
 /* Finds the daylight factor that is reached at a fraction `part` of the points. */
 static enum pp_status reached_by(struct pp_reading *reading,
-                                 const struct pp_reading *points, int count,
+                                 const struct pp_reading *points,
+                                 const struct pp_receiver *receivers, int count,
                                  double common, double part, struct pp_error *err)
 {
     struct pp_plane_share share;
     enum pp_status status =
-        pp_plane_share(&share, points, count, common, part, 0.0, err);
+        pp_plane_share(&share, points, receivers, count, common, part, 0.0, err);
     if (status == PP_OK) {
         *reading = pp_reading_of(share.level);
         reading->std_error = share.std_error;
@@ -63,23 +63,9 @@ static enum pp_status reached_by(struct pp_reading *reading,
     return status;
 }
 
-static struct pp_reading mean_of(const struct pp_reading *points, int count,
-                                 double common)
-{
-    double sum = 0.0, errors = 0.0, squares = 0.0;
-    for (int i = 0; i < count; i++) {
-        double error = points[i].std_error / count;
-        sum += points[i].value / count;
-        errors += error;
-        squares += error * error;
-    }
-    struct pp_reading mean = pp_reading_of(sum);
-    mean.std_error = pp_common_error(errors, squares, common);
-    return mean;
-}
-
 enum pp_status pp_plane_figures_sum_up(struct pp_column *column,
-                                       const struct pp_reading *points, int count,
+                                       const struct pp_reading *points,
+                                       const struct pp_receiver *receivers, int count,
                                        struct pp_error *err)
 {
     struct pp_plane_reading *plane = &column->plane;
@@ -87,14 +73,15 @@ enum pp_status pp_plane_figures_sum_up(struct pp_column *column,
     for (int i = 0; i < count; i++)
         if (!isfinite(points[i].value))
             return PP_OK;
-    plane->average = mean_of(points, count, column->common);
+    plane->average = pp_plane_share_mean(points, receivers, count, column->common);
     enum pp_status status =
-        reached_by(&plane->minimum, points, count, column->common, 1.0, err);
+        reached_by(&plane->minimum, points, receivers, count, column->common, 1.0, err);
     if (status == PP_OK)
-        status = reached_by(&plane->median, points, count, column->common, 0.5, err);
+        status = reached_by(&plane->median, points, receivers, count, column->common,
+                            0.5, err);
     for (int i = 0; i < PP_PLANE_LEVELS && status == PP_OK; i++) {
         struct pp_plane_share share;
-        status = pp_plane_share(&share, points, count, column->common, 1.0,
+        status = pp_plane_share(&share, points, receivers, count, column->common, 1.0,
                                 pp_plane_levels[i], err);
         plane->over[i] = share.over;
     }
@@ -109,6 +96,7 @@ enum pp_status pp_plane_figures_fill(struct pp_report *report,
                                      struct pp_error *err)
 {
     int own = room->receiver_count, more = report->receiver_count - own;
+    int first = more > 0 ? own : 0;
     enum pp_status status = PP_OK;
     bool grid = false;
     if (more == 0)
@@ -118,9 +106,9 @@ enum pp_status pp_plane_figures_fill(struct pp_report *report,
     for (int i = 0; i < report->column_count && status == PP_OK; i++) {
         struct pp_column *column = &report->columns[i];
         if (column->component == PP_DF && column->points && report->grid_points > 0)
-            status =
-                pp_plane_figures_sum_up(column, column->points + (more > 0 ? own : 0),
-                                        report->grid_points, err);
+            status = pp_plane_figures_sum_up(column, column->points + first,
+                                             report->receivers + first,
+                                             report->grid_points, err);
     }
     report->receivers = room->receivers;
     report->receiver_count = own;

@@ -25,10 +25,12 @@ enum pp_status pp_plane_figures_fill(struct pp_report *report,
                                      const struct pp_study_room *room,
                                      struct pp_error *err);
 
-/* Sets `plane` of one column from the readings at grid points. has_plane is set to
+/* Sets `plane` of one column from the readings at grid points, the receivers; each
+ * counts by its area, if they have areas. has_plane is set to
  * false if any reading has no value. */
 enum pp_status pp_plane_figures_sum_up(struct pp_column *column,
-                                       const struct pp_reading *points, int count,
+                                       const struct pp_reading *points,
+                                       const struct pp_receiver *receivers, int count,
                                        struct pp_error *err);
 
 #endif

@@ -268,9 +268,11 @@ static void print_groups(const struct text_page *page)
                              sheet->occupied_h);
         if (group->unmet_h > 0.0 && used > 0 && used < (int)sizeof text)
             snprintf(text + used, sizeof text - (size_t)used,
-                     ", but in %.0f h more than 2 %% of the points still "
-                     "receive 1000 lx of direct sun",
-                     group->unmet_h);
+                     ", but in %.0f h more than 2 %% of the %s 1000 lx of direct sun",
+                     group->unmet_h,
+                     pp_point_areas_differ(sheet->receivers, sheet->receiver_count)
+                         ? "plane still receives"
+                         : "points still receive");
         print_annual_fact(page, g == 0 ? "window groups" : "", text);
     }
 }

@@ -90,9 +90,11 @@ static enum pp_status evaluate_uniformity(const struct pp_inquiry *inquiry,
     const char *why;
     const struct pp_column *column = pp_factors_of_grid(inquiry, findings, &why);
     int count = inquiry->factors->receiver_count;
-    double mean = 0.0;
-    for (int i = 0; column && i < count; i++)
-        mean += column->points[i].value / count;
+    const struct pp_receiver *receivers = inquiry->factors->receivers;
+    double mean =
+        column ? pp_plane_share_mean(column->points, receivers, count, column->common)
+                     .value
+               : 0.0;
     if (column && !(mean > 0.0))
         why = "no light reaches the plane";
     if (why) {
@@ -102,7 +104,7 @@ static enum pp_status evaluate_uniformity(const struct pp_inquiry *inquiry,
     double wanted = has_glazed_roof(inquiry->world) ? 0.7 : 0.3;
     struct pp_plane_share share;
     struct pp_grid_error error;
-    enum pp_status status = pp_plane_share(&share, column->points, count,
+    enum pp_status status = pp_plane_share(&share, column->points, receivers, count,
                                            column->common, 1.0, wanted * mean, err);
     if (status == PP_OK)
         status =

@@ -116,7 +116,8 @@ const struct pp_column *pp_factors_average(const struct pp_inquiry *inquiry,
 /* Level that a part of the points reaches if all points are at the lower, or all at the
  * upper, ends of their bands. */
 static enum pp_status level_at(double *level, const struct pp_band_ends *bands,
-                               int count, double part, bool upper, struct pp_error *err)
+                               const struct pp_receiver *receivers, int count,
+                               double part, bool upper, struct pp_error *err)
 {
     struct pp_reading *ends = calloc((size_t)count + 1, sizeof *ends);
     struct pp_plane_share share;
@@ -124,24 +125,26 @@ static enum pp_status level_at(double *level, const struct pp_band_ends *bands,
         return pp_fail_memory(err);
     for (int i = 0; i < count; i++)
         ends[i] = pp_reading_of(upper ? bands[i].high : bands[i].low);
-    enum pp_status status = pp_plane_share(&share, ends, count, 0.0, part, 0.0, err);
+    enum pp_status status =
+        pp_plane_share(&share, ends, receivers, count, 0.0, part, 0.0, err);
     *level = share.level;
     free(ends);
     return status;
 }
 
 enum pp_status pp_factors_band(struct pp_band_ends *band,
-                               const struct pp_column *column, int count, double part,
-                               struct pp_error *err)
+                               const struct pp_column *column,
+                               const struct pp_receiver *receivers, int count,
+                               double part, struct pp_error *err)
 {
     *band = pp_band_none();
     for (int i = 0; i < count; i++)
         if (!column->bands || !pp_band_is_known(column->bands[i]))
             return PP_OK;
     enum pp_status status =
-        level_at(&band->low, column->bands, count, part, false, err);
+        level_at(&band->low, column->bands, receivers, count, part, false, err);
     return status == PP_OK
-               ? level_at(&band->high, column->bands, count, part, true, err)
+               ? level_at(&band->high, column->bands, receivers, count, part, true, err)
                : status;
 }
 

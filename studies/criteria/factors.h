@@ -31,10 +31,11 @@ const struct pp_column *pp_factors_average(const struct pp_inquiry *inquiry,
 
 /* Range of the level that a part (a fraction) of the grid's points reaches: from all
  * points at the lower ends to all points at the upper ends of their bands. No range if
- * a point has no band. */
+ * a point has no band. receivers: the areas of the points, as in plane_share.h. */
 enum pp_status pp_factors_band(struct pp_band_ends *band,
-                               const struct pp_column *column, int count, double part,
-                               struct pp_error *err);
+                               const struct pp_column *column,
+                               const struct pp_receiver *receivers, int count,
+                               double part, struct pp_error *err);
 
 /* Adds the error due to the grid to the error of the figure: sets std_error,
  * grid_error, over_error and the verdict. share, error: of the daylight factors at the

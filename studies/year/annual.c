@@ -237,13 +237,13 @@ static void finish(struct pp_annual_work *work)
 {
     struct pp_annual_sheet *sheet = work->sheet;
     int points = work->receiver_count;
-    double area_m2 = pp_point_areas_sum(work->receivers, points);
     pp_annual_plane_fill(sheet, work->without, PP_YEAR_BATCHES);
     pp_annual_lighting_finish(work->lighting);
     for (int g = 0; g < work->groups.count; g++) {
         double sums[1 + PP_YEAR_BATCHES] = {0.0}, without[PP_YEAR_BATCHES];
         for (int x = 0; x < points; x++) {
-            double share = pp_point_areas_share(work->receivers, points, area_m2, x);
+            double share =
+                pp_point_areas_share(work->receivers, points, work->area_m2, x);
             const double *light = work->group_light
                                   + ((size_t)x * (size_t)work->groups.count + (size_t)g)
                                         * (1 + PP_YEAR_BATCHES);
@@ -353,6 +353,8 @@ enum pp_status pp_annual_of_room(
                                   .light = light,
                                   .receivers = receivers,
                                   .receiver_count = receiver_count,
+                                  .area_m2 =
+                                      pp_point_areas_sum(receivers, receiver_count),
                                   .year = year,
                                   .options = options};
     const struct pp_watch *watch = &options->watch;

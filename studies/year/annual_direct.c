@@ -1,4 +1,5 @@
 /* annual_direct.c - the hours in which blinds are closed, with the direct sun at the points. */
+#include "model/results/sheets/point_areas.h"
 #include "studies/year/annual_seasons.h"
 #include "studies/year/annual_work.h"
 
@@ -27,14 +28,17 @@ static bool is_sunlit(const struct pp_annual_work *work,
 {
     static const float SUNLIT_LX = 1000.0f;
     size_t count = (size_t)state->count;
-    int sunlit = 0;
-    for (int x = 0; x < work->receiver_count; x++)
-        sunlit +=
-            state->direct_sun[((size_t)x * (size_t)work->groups.count + (size_t)group)
+    double sunlit = 0.0, whole = 0.0;
+    for (int x = 0; x < work->receiver_count; x++) {
+        double weight = pp_point_areas_weight(work->receivers, work->area_m2, x);
+        whole += weight;
+        if (state->direct_sun[((size_t)x * (size_t)work->groups.count + (size_t)group)
                                   * count
                               + (size_t)hour]
-            >= SUNLIT_LX;
-    return pp_blind_groups_closes(sunlit, work->receiver_count);
+            >= SUNLIT_LX)
+            sunlit += weight;
+    }
+    return pp_blind_groups_closes(sunlit, whole);
 }
 
 /* True if the control closes the group in record i of the year. */

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "model/base/text.h"
+#include "model/results/sheets/point_areas.h"
 #include "model/room/build/device_states.h"
 #include "model/room/outside/trees.h"
 
@@ -124,8 +125,11 @@ static void say_blinds(struct pp_annual_sheet *sheet, const struct pp_world *wor
     case PP_BLINDS_LM83:
         snprintf(text, room,
                  "LM-83-12, open loop: the blinds of a window group (one wall, one "
-                 "glass) close when more than 2 %% of the points get 1000 lx or more "
-                 "of direct sun through it. ");
+                 "glass) close when more than 2 %% of the %s 1000 lx or more of direct "
+                 "sun through it. ",
+                 pp_point_areas_differ(sheet->receivers, sheet->receiver_count)
+                     ? "plane gets"
+                     : "points get");
         if (own)
             pp_text_append(text, room,
                            "Closed windows have their own blind, screen or curtain; "

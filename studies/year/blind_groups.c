@@ -95,8 +95,8 @@ void pp_blind_groups_clear(struct pp_blind_groups *groups)
     groups->count = 0;
 }
 
-bool pp_blind_groups_closes(int sunlit_points, int points)
+bool pp_blind_groups_closes(double sunlit, double whole)
 {
-    /* More than 2 %, in whole numbers. */
-    return 100L * sunlit_points > 2L * points;
+    /* More than 2 %; exact for whole numbers. */
+    return 100.0 * sunlit > 2.0 * whole;
 }

@@ -37,8 +37,13 @@ enum pp_status pp_blind_groups_of_world(struct pp_blind_groups *groups,
                                         struct pp_error *err);
 void pp_blind_groups_clear(struct pp_blind_groups *groups);
 
-/* True if the group is closed in an hour: if more than 2 % of the points have direct
- * sun of 1000 lx or more through it. sunlit_points: number of such points. */
-bool pp_blind_groups_closes(int sunlit_points, int points);
+/* True if the group is closed in an hour: if more than 2 % of the plane has direct sun
+ * of 1000 lx or more through it. sunlit: sum of the weights of such points (1 for equal
+ * areas); whole: of all points.
+ *
+ * LM-83-12 words it as 2 % of the analysis points, and sDA and ASE as shares of the
+ * points as well. Its points form a regular grid, so that each represents the same
+ * area. Where they do not, all three are shares of the area. */
+bool pp_blind_groups_closes(double sunlit, double whole);
 
 #endif

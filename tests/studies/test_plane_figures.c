@@ -21,7 +21,7 @@ static void figures_of_four_points_are_as_worked_by_hand(void **state)
     const struct pp_reading points[] = {sampled(0.008, 1e-4), sampled(0.060, 2e-4),
                                         sampled(0.015, 2e-4), sampled(0.037, 4e-4)};
     struct pp_column column = {.component = PP_DF};
-    assert_int_equal(pp_plane_figures_sum_up(&column, points, 4, NULL), PP_OK);
+    assert_int_equal(pp_plane_figures_sum_up(&column, points, NULL, 4, NULL), PP_OK);
     assert_true(column.has_plane);
     const struct pp_plane_reading *plane = &column.plane;
     assert_near(plane->average.value, 0.030, 1e-15);
@@ -39,7 +39,7 @@ static void a_point_without_a_value_leaves_the_plane_without_figures(void **stat
     (void)state;
     const struct pp_reading points[] = {pp_reading_of(0.01), pp_reading_none("why")};
     struct pp_column column = {.component = PP_DF, .has_plane = true};
-    assert_int_equal(pp_plane_figures_sum_up(&column, points, 2, NULL), PP_OK);
+    assert_int_equal(pp_plane_figures_sum_up(&column, points, NULL, 2, NULL), PP_OK);
     assert_false(column.has_plane);
 }
 

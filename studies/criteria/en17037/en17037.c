@@ -51,9 +51,9 @@ static enum pp_status add_target(const struct pp_inquiry *inquiry,
     if (!why) {
         const struct pp_share_target wanted = {
             PP_FIGURE_FACTOR, target->lux / inquiry->median.lux, target->part};
-        enum pp_status status = pp_share_finding(&finding, &wanted, column,
-                                                 inquiry->factors->receiver_count,
-                                                 inquiry->grid, what, err);
+        enum pp_status status = pp_share_finding(
+            &finding, &wanted, column, inquiry->factors->receivers,
+            inquiry->factors->receiver_count, inquiry->grid, what, err);
         if (status != PP_OK)
             return status;
     }

@@ -58,8 +58,9 @@ enum pp_status pp_grid_error(struct pp_grid_error *error,
     int *index = malloc((size_t)cells * sizeof *index);
     struct pp_reading *finer =
         malloc((size_t)count * (FINER * FINER + 1) * sizeof *finer);
+    struct pp_receiver *parts = malloc((size_t)count * FINER * FINER * sizeof *parts);
     struct pp_plane_share coarse, fine;
-    enum pp_status status = index && finer ? PP_OK : pp_fail_memory(err);
+    enum pp_status status = index && finer && parts ? PP_OK : pp_fail_memory(err);
     if (status == PP_OK) {
         struct pp_reading *bare = finer + (size_t)count * FINER * FINER;
         for (int i = 0; i < cells; i++)
@@ -67,17 +68,21 @@ enum pp_status pp_grid_error(struct pp_grid_error *error,
         for (int i = 0; i < count; i++) {
             index[grid->cells[i][1] * grid->columns + grid->cells[i][0]] = i;
             bare[i] = pp_reading_of(points[i].value);
+            for (int k = 0; k < FINER * FINER; k++)
+                parts[i * FINER * FINER + k] = grid->receivers[i];
         }
         refine_cells(finer, grid, index, points);
-        status = pp_plane_share(&coarse, bare, count, 0.0, part, target, err);
+        status = pp_plane_share(&coarse, bare, grid->receivers, count, 0.0, part,
+                                target, err);
     }
     if (status == PP_OK)
-        status =
-            pp_plane_share(&fine, finer, count * FINER * FINER, 0.0, part, target, err);
+        status = pp_plane_share(&fine, finer, parts, count * FINER * FINER, 0.0, part,
+                                target, err);
     if (status == PP_OK)
         *error = (struct pp_grid_error){fabs(coarse.level - fine.level),
                                         fabs(coarse.over - fine.over)};
     free(index);
     free(finer);
+    free(parts);
     return status;
 }

@@ -6,6 +6,9 @@
  * points do, and the gap from the level up to the lowest of these points is not less
  * than the gap down to the highest of the other points. The joint distribution of the
  * two gaps comes from the same sums, with two levels in place of one.
+ *
+ * Where points represent unequal areas, each counts as several: as many as its area has
+ * sixteenths of the mean area. All of these reach a level if the point does.
  */
 #include "studies/criteria/grid/plane_share.h"
 
@@ -14,6 +17,7 @@
 #include <stdlib.h>
 
 #include "model/results/common_error.h"
+#include "model/results/sheets/point_areas.h"
 #include "studies/criteria/finding.h"
 
 /* Distance of a probability from 0 or 1 within which the point counts as certain. */
@@ -27,21 +31,33 @@ static const double surely_off = 7.04;
  * target. */
 static const double rounding = 1e-9;
 
-/* Greatest number of points near the figure for which the distribution is computed
- * exactly: the time grows with the square of their number, or faster. */
+/* Greatest number of equal points near the figure for which the distribution is
+ * computed exactly: the time grows with the product of points and units, or faster. */
 enum { EXACT_MOST = 200 };
+
+/* Units of the mean area, for points of unequal areas. */
+static const double units_of_mean = 16.0;
+
+/* A value and the units of the plane that have it. */
+struct ranked_value {
+    double value;
+    int units;
+};
 
 static int compare_falling(const void *a, const void *b)
 {
-    double x = *(const double *)a, y = *(const double *)b;
+    double x = ((const struct ranked_value *)a)->value;
+    double y = ((const struct ranked_value *)b)->value;
     return (x < y) - (x > y);
 }
 
-/* Points, the correlated fraction of the variance of their values, and the square root
- * of the uncorrelated rest. The figure is the wanted-th largest value, or half way
+/* Points, the units that each represents (1 if all areas are equal), the correlated
+ * fraction of the variance of their values, and the square root of the uncorrelated
+ * rest. The figure is the value of the wanted-th unit in descending order, or half way
  * between that and the next. */
 struct plane_points {
     struct pp_reading *list;
+    int *units;
     int count, wanted;
     bool half_way;
     double common, own;
@@ -62,8 +78,8 @@ static double probability_of_point(const struct plane_points *points, int i,
     return pp_finding_probability_at_least(value, std_error, target);
 }
 
-/* odds[k], 0 <= k <= *uncertain: probability that k of the uncertain points reach
- * `high` and all others stay below `low` <= `high`. Returns the number of points
+/* odds[k], 0 <= k <= *uncertain: probability that k units of the uncertain points reach
+ * `high` and all others stay below `low` <= `high`. Returns the number of units
  * that surely reach `high`, which are not in k; -1 if some point surely lies between
  * both. */
 static int odds_of(const struct plane_points *points, double high, double low,
@@ -76,22 +92,26 @@ static int odds_of(const struct plane_points *points, double high, double low,
         double p = probability_of_point(points, i, high, shift);
         double q = 1.0 - (low < high ? probability_of_point(points, i, low, shift) : p);
         if (p > 1.0 - surely) {
-            sure++;
+            sure += points->units[i];
             continue;
         }
         if (q > 1.0 - surely)
             continue;
         if (p < surely && q < surely)
             return -1;
-        odds[*uncertain + 1] = 0.0;
-        for (int k = ++*uncertain; k > 0; k--)
-            odds[k] = odds[k] * q + odds[k - 1] * p;
-        odds[0] *= q;
+        int units = points->units[i];
+        for (int k = 1; k <= units; k++)
+            odds[*uncertain + k] = 0.0;
+        *uncertain += units;
+        for (int k = *uncertain; k >= units; k--)
+            odds[k] = odds[k] * q + odds[k - units] * p;
+        for (int k = 0; k < units; k++)
+            odds[k] *= q;
     }
     return sure;
 }
 
-/* Joint distribution of two gaps: from the level up to the least of the `wanted` points
+/* Joint distribution of two gaps: from the level up to the least of the `wanted` units
  * above it, and down to the greatest of the points below. corner[i][j]: the probability
  * that the first is at least low (i = 0) or high (i = 1), and the second at least low
  * (j = 0) or high (j = 1). */
@@ -136,8 +156,8 @@ static double gap_above_is_greater(const struct plane_points *points, double lev
            + gap_above_is_greater(points, level, shift, &far, odds);
 }
 
-/* Probability that exactly the wanted number of points reach the level, and that the
- * figure also reaches it. The figure is half way between the lowest of these points and
+/* Probability that exactly the wanted number of units reach the level, and that the
+ * figure also reaches it. The figure is half way between the lowest of these units and
  * the next value. `reach`: an upper bound on gaps. */
 static double tie_probability(const struct plane_points *points, double level,
                               double shift, double *odds)
@@ -165,27 +185,37 @@ static double normal_below(double z)
 }
 
 /* Probability that the figure reaches the level, given the shift, if many points are
- * uncertain. The number of points that reach the level is approximated by a normal
- * distribution, with a correction of half a point. */
+ * uncertain. The number of units that reach the level is approximated by a normal
+ * distribution, with a correction of half a unit. */
 static double probability_of_many(const struct plane_points *points, double level,
                                   double shift)
 {
     double mean = 0.0, variance = 0.0;
     for (int i = 0; i < points->count; i++) {
         double p = probability_of_point(points, i, level, shift);
-        mean += p;
-        variance += p * (1.0 - p);
+        double units = points->units[i];
+        mean += units * p;
+        variance += units * units * (p * (1.0 - p));
     }
     double least = points->wanted + (points->half_way ? 0.5 : 0.0);
     return normal_below((mean - least + 0.5) / sqrt(fmax(variance, surely)));
 }
 
+/* True if the time for the exact distribution would be too long. */
+static bool has_many_points(const struct plane_points *points)
+{
+    double units = 0.0;
+    for (int i = 0; i < points->count; i++)
+        units += points->units[i];
+    return points->count * units > (double)EXACT_MOST * EXACT_MOST;
+}
+
 /* Probability that the figure reaches the level, given the shift. `odds` has space for
- * count + 1 numbers. */
+ * as many numbers as the points have units, and one more. */
 static double probability_with(const struct plane_points *points, double level,
                                double shift, double *odds)
 {
-    if (points->count > EXACT_MOST)
+    if (has_many_points(points))
         return probability_of_many(points, level, shift);
     int uncertain, sure = odds_of(points, level, level, shift, odds, &uncertain);
     int least = points->wanted + (points->half_way ? 1 : 0);
@@ -280,93 +310,158 @@ static double level_of(const struct plane_points *points, double probability,
     return 0.5 * (low + high);
 }
 
-/* Standard error of the fraction of points that reach the target. Their number is a sum
- * of Bernoulli variables; the fraction `common` of the variance is common to all
- * points. */
-static double share_error(const struct plane_points *points, double target)
+/* Value of the n-th unit in descending order. Sorts the values. */
+static double value_of_unit(struct ranked_value *values, int count, int n)
 {
-    double sum = 0.0, squares = 0.0;
-    for (int i = 0; i < points->count; i++) {
-        const struct pp_reading *point = &points->list[i];
-        if (!(point->std_error > 0.0))
-            continue;
-        double p =
-            pp_finding_probability_at_least(point->value, point->std_error, target);
-        sum += sqrt(p * (1.0 - p));
-        squares += p * (1.0 - p);
-    }
-    return pp_common_error(sum, squares, points->common) / points->count;
+    qsort(values, (size_t)count, sizeof *values, compare_falling);
+    int i = 0;
+    for (int units = values[0].units; units < n && i < count - 1;
+         units += values[i].units)
+        i++;
+    return values[i].value;
 }
 
 /* Leaves out points that are surely above or surely below the figure: they do not
- * change its distribution. values: space for count numbers. */
-static void leave_out_distant(struct plane_points *points, double *values)
+ * change its distribution. values: space for count values. */
+static void leave_out_distant(struct plane_points *points, struct ranked_value *values)
 {
     int count = points->count, next = points->wanted + (points->half_way ? 1 : 0);
     for (int i = 0; i < count; i++)
-        values[i] = upper_end(&points->list[i]);
-    qsort(values, (size_t)count, sizeof *values, compare_falling);
-    double highest = values[points->wanted - 1];
+        values[i] =
+            (struct ranked_value){upper_end(&points->list[i]), points->units[i]};
+    double highest = value_of_unit(values, count, points->wanted);
     for (int i = 0; i < count; i++)
-        values[i] = lower_end(&points->list[i]);
-    qsort(values, (size_t)count, sizeof *values, compare_falling);
-    double lowest = values[next - 1];
+        values[i] =
+            (struct ranked_value){lower_end(&points->list[i]), points->units[i]};
+    double lowest = value_of_unit(values, count, next);
     points->count = 0;
     for (int i = 0; i < count; i++) {
         const struct pp_reading *point = &points->list[i];
         if (lower_end(point) > highest)
-            points->wanted--;
-        else if (upper_end(point) >= lowest)
+            points->wanted -= points->units[i];
+        else if (upper_end(point) >= lowest) {
+            points->units[points->count] = points->units[i];
             points->list[points->count++] = *point;
+        }
     }
 }
 
-/* Figure from values in descending order: the wanted-th, or half way to the next. */
-static double figure_of(const struct plane_points *points, const double *values)
+/* The figure of the points. values: space for count values. */
+static double figure_of(const struct plane_points *points, struct ranked_value *values)
 {
-    double here = values[points->wanted - 1];
-    return points->half_way ? 0.5 * (here + values[points->wanted]) : here;
+    for (int i = 0; i < points->count; i++)
+        values[i] = (struct ranked_value){points->list[i].value, points->units[i]};
+    double here = value_of_unit(values, points->count, points->wanted);
+    return points->half_way
+               ? 0.5 * (here + value_of_unit(values, points->count, points->wanted + 1))
+               : here;
+}
+
+/* Sets share->over, the fraction of the plane whose points reach the target, and its
+ * standard error. The number of points is a sum of Bernoulli variables; the fraction
+ * `common` of the variance is common to all points. */
+static void find_over(struct pp_plane_share *share, const struct pp_reading *points,
+                      const struct pp_receiver *receivers, int count, double common,
+                      double target)
+{
+    double area_m2 = receivers ? pp_point_areas_sum(receivers, count) : NAN;
+    double over = 0.0, whole = 0.0, sum = 0.0, squares = 0.0;
+    bool sampled = false;
+    for (int i = 0; i < count; i++) {
+        double weight = pp_point_areas_weight(receivers, area_m2, i);
+        sampled |= isfinite(points[i].std_error);
+        whole += weight;
+        if (points[i].value >= target - rounding * fabs(target))
+            over += weight;
+        if (!(points[i].std_error > 0.0))
+            continue;
+        double p = pp_finding_probability_at_least(points[i].value, points[i].std_error,
+                                                   target);
+        sum += weight * sqrt(p * (1.0 - p));
+        squares += weight * weight * (p * (1.0 - p));
+    }
+    share->over = over / whole;
+    share->over_error = sampled ? pp_common_error(sum, squares, common) / whole : NAN;
+}
+
+struct pp_reading pp_plane_share_mean(const struct pp_reading *points,
+                                      const struct pp_receiver *receivers, int count,
+                                      double common)
+{
+    double area_m2 = receivers ? pp_point_areas_sum(receivers, count) : NAN;
+    double whole = 0.0, sum = 0.0, errors = 0.0, squares = 0.0;
+    for (int i = 0; i < count; i++)
+        whole += pp_point_areas_weight(receivers, area_m2, i);
+    for (int i = 0; i < count; i++) {
+        double weight = pp_point_areas_weight(receivers, area_m2, i);
+        double error = weight * points[i].std_error / whole;
+        sum += weight * points[i].value / whole;
+        errors += error;
+        squares += error * error;
+    }
+    struct pp_reading mean = pp_reading_of(sum);
+    mean.std_error = pp_common_error(errors, squares, common);
+    return mean;
+}
+
+/* Units of a point: sixteenths of the mean area; 1 if all areas are equal. */
+static int units_of_point(const struct pp_receiver *receivers, bool differ,
+                          double mean_m2, int point)
+{
+    if (!differ)
+        return 1;
+    return (int)fmax(round(units_of_mean * receivers[point].area_m2 / mean_m2), 1.0);
+}
+
+/* Copies the points and finds the units of each. Returns the sum of the units; -1 if
+ * memory runs out. The caller frees the lists. */
+static int copy_points(struct plane_points *all, const struct pp_reading *points,
+                       const struct pp_receiver *receivers, int count)
+{
+    bool differ = receivers && pp_point_areas_differ(receivers, count);
+    double mean_m2 = differ ? pp_point_areas_sum(receivers, count) / count : NAN;
+    int units = 0;
+    all->count = count;
+    all->list = malloc(((size_t)count + 1) * sizeof *all->list);
+    all->units = malloc(((size_t)count + 1) * sizeof *all->units);
+    if (!all->list || !all->units)
+        return -1;
+    for (int i = 0; i < count; i++) {
+        all->list[i] = points[i];
+        all->units[i] = units_of_point(receivers, differ, mean_m2, i);
+        units += all->units[i];
+    }
+    return units;
 }
 
 enum pp_status pp_plane_share(struct pp_plane_share *share,
-                              const struct pp_reading *points, int count, double common,
-                              double part, double target, struct pp_error *err)
+                              const struct pp_reading *points,
+                              const struct pp_receiver *receivers, int count,
+                              double common, double part, double target,
+                              struct pp_error *err)
 {
-    struct plane_points all = {
-        .count = count,
-        .wanted = (int)fmax(ceil(part * count - rounding * count), 1.0),
-        .half_way = part == 0.5 && count % 2 == 0};
-    all.common = fmin(common, 1.0 - 1e-9);
+    struct plane_points all = {.common = fmin(common, 1.0 - 1e-9)};
     all.own = sqrt(1.0 - all.common);
-    double *values = malloc(((size_t)count + 1) * sizeof *values);
-    all.list = malloc(((size_t)count + 1) * sizeof *all.list);
-    if (!values || !all.list) {
-        free(values);
-        free(all.list);
-        return pp_fail_memory(err);
+    int units = copy_points(&all, points, receivers, count);
+    struct ranked_value *values = malloc(((size_t)count + 1) * sizeof *values);
+    double *odds = units < 0 ? NULL : malloc(((size_t)units + 1) * sizeof *odds);
+    enum pp_status status = values && odds ? PP_OK : pp_fail_memory(err);
+    if (status == PP_OK) {
+        all.wanted = (int)fmax(ceil(part * units - rounding * units), 1.0);
+        all.half_way = part == 0.5 && units % 2 == 0;
+        *share = (struct pp_plane_share){
+            .level = figure_of(&all, values), .std_error = NAN, .probability = NAN};
+        find_over(share, points, receivers, count, all.common, target);
     }
-    bool sampled = false;
-    int over = 0;
-    for (int i = 0; i < count; i++) {
-        all.list[i] = points[i];
-        values[i] = points[i].value;
-        sampled |= isfinite(points[i].std_error);
-        over += points[i].value >= target - rounding * fabs(target);
-    }
-    qsort(values, (size_t)count, sizeof *values, compare_falling);
-    *share = (struct pp_plane_share){.level = figure_of(&all, values),
-                                     .std_error = NAN,
-                                     .over = (double)over / count,
-                                     .over_error = NAN,
-                                     .probability = NAN};
-    if (sampled) {
-        share->over_error = share_error(&all, target);
+    if (status == PP_OK && isfinite(share->over_error)) {
         leave_out_distant(&all, values);
-        share->probability = probability_of(&all, target, values);
+        share->probability = probability_of(&all, target, odds);
         share->std_error =
-            0.5 * (level_of(&all, 0.1587, values) - level_of(&all, 0.8413, values));
+            0.5 * (level_of(&all, 0.1587, odds) - level_of(&all, 0.8413, odds));
     }
+    free(odds);
     free(values);
+    free(all.units);
     free(all.list);
-    return PP_OK;
+    return status;
 }

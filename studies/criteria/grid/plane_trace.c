@@ -41,8 +41,9 @@ static enum pp_status find_worst(double *worst, const struct pp_report *report,
                        && status == PP_OK;
          i++) {
         struct pp_plane_share share;
-        status = pp_plane_share(&share, column->points, report->receiver_count,
-                                column->common, parts[i], 0.0, err);
+        status =
+            pp_plane_share(&share, column->points, report->receivers,
+                           report->receiver_count, column->common, parts[i], 0.0, err);
         if (status == PP_OK)
             *worst = fmax(*worst, relative_error(share.level, share.std_error));
     }

@@ -7,7 +7,8 @@
 
 enum pp_status pp_share_finding(struct pp_finding *finding,
                                 const struct pp_share_target *target,
-                                const struct pp_column *column, int count,
+                                const struct pp_column *column,
+                                const struct pp_receiver *receivers, int count,
                                 const struct pp_plane_grid *grid, const char *what,
                                 struct pp_error *err)
 {
@@ -15,13 +16,13 @@ enum pp_status pp_share_finding(struct pp_finding *finding,
     struct pp_grid_error error = {NAN, NAN};
     struct pp_band_ends band;
     enum pp_status status =
-        pp_plane_share(&share, column->points, count, column->common, target->part,
-                       target->wanted, err);
+        pp_plane_share(&share, column->points, receivers, count, column->common,
+                       target->part, target->wanted, err);
     if (status == PP_OK && grid && grid->count > 0)
         status = pp_grid_error(&error, grid, column->points, target->part,
                                target->wanted, err);
     if (status == PP_OK)
-        status = pp_factors_band(&band, column, count, target->part, err);
+        status = pp_factors_band(&band, column, receivers, count, target->part, err);
     if (status != PP_OK)
         return status;
     *finding =

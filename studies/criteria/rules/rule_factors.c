@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "model/results/sheets/point_areas.h"
 #include "studies/criteria/criteria.h"
 #include "studies/criteria/factors.h"
 #include "studies/criteria/grid/share_finding.h"
@@ -102,15 +103,18 @@ static enum pp_status judge_share(const struct pp_rule *rule,
     if (!strstr(findings->basis, grid))
         pp_finding_list_add_basis(findings, ", on %s", grid);
     int count = inquiry->factors->receiver_count;
+    const struct pp_receiver *receivers = inquiry->factors->receivers;
     bool over = strcmp(rule->bound, "over") == 0, open = isnan(rule->share);
     double part = open ? 0.5 : 0.01 * rule->share;
-    if (over) /* smallest number of points that exceeds the required fraction */
+    if (over && pp_point_areas_differ(receivers, count))
+        part += 1e-6; /* any more area */
+    else if (over)    /* smallest number of points that exceeds the required fraction */
         part = (floor(part * count + 1e-9) + 1.0) / count;
     const struct pp_share_target target = {PP_FIGURE_FACTOR, 0.01 * rule->threshold,
                                            fmin(part, 1.0)};
     struct pp_finding finding;
-    enum pp_status status =
-        pp_share_finding(&finding, &target, column, count, inquiry->grid, what, err);
+    enum pp_status status = pp_share_finding(&finding, &target, column, receivers,
+                                             count, inquiry->grid, what, err);
     if (status == PP_OK && open) { /* the rule states no fraction: only the figure is
                                     * stated */
         double over_share = finding.reached_over, error = finding.over_error;

@@ -49,8 +49,8 @@ enum pp_status pp_rule_year_level(struct pp_finding *finding,
         column.points[i].std_error = year->points[i].median_lx.std_error;
     }
     const struct pp_share_target target = {PP_FIGURE_LUX, lux, part};
-    enum pp_status status = pp_share_finding(finding, &target, &column, count,
-                                             inquiry->year_grid, what, err);
+    enum pp_status status = pp_share_finding(finding, &target, &column, year->receivers,
+                                             count, inquiry->year_grid, what, err);
     free(column.points);
     return status;
 }

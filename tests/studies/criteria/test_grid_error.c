@@ -14,7 +14,9 @@ static struct pp_plane_grid grid_of(struct pp_reading points[MOST],
 {
     struct pp_plane_grid grid = {.count = MOST, .columns = COLUMNS, .rows = ROWS};
     grid.cells = calloc(MOST, sizeof *grid.cells);
+    grid.receivers = calloc(MOST, sizeof *grid.receivers);
     assert_non_null(grid.cells);
+    assert_non_null(grid.receivers);
     for (int i = 0; i < MOST; i++) {
         grid.cells[i][0] = i % COLUMNS;
         grid.cells[i][1] = i / COLUMNS;

@@ -8,6 +8,8 @@
 
 #include "model/results/sheets/point_areas.h"
 #include "studies/criteria/grid/plane_grid.h"
+#include "studies/criteria/grid/plane_share.h"
+#include "studies/criteria/grid/share_finding.h"
 #include "studies/year/annual_plane.h"
 
 /* A rectangle of 6.1 x 2.36 m in front and an arm of 1.9 x 3.54 m behind it. The cells
@@ -117,12 +119,52 @@ static void sda_of_an_l_shaped_plan_is_that_of_its_areas(void **state)
     pp_world_destroy(world);
 }
 
+/* Daylight factors of 3 % in front and 1 % in the arm. The front is 68.2 % of the
+ * plane, but 71.0 % of the points: the level over 70 % of the plane is that of the arm. */
+static void a_level_of_an_l_shaped_plan_is_that_over_its_areas(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(ell);
+    const struct pp_grid_choice choice = {.spacing_m = 0.6};
+    struct pp_plane_grid grid;
+    assert_int_equal(pp_plane_grid_make(&grid, world, NULL, &choice, 0, NULL), PP_OK);
+    struct pp_column column = {
+        .points = calloc((size_t)grid.count, sizeof(struct pp_reading))};
+    int lit = 0;
+    for (int i = 0; i < grid.count; i++) {
+        bool in_front = grid.receivers[i].position.y < 2.36;
+        column.points[i] = pp_reading_of(in_front ? 0.03 : 0.01);
+        lit += in_front;
+    }
+    double front = front_m2 / (front_m2 + arm_m2);
+    assert_true(front < 0.7 && (double)lit / grid.count > 0.7);
+    struct pp_finding finding;
+    struct pp_share_target target = {PP_FIGURE_FACTOR, 0.02, 0.7};
+    assert_int_equal(pp_share_finding(&finding, &target, &column, grid.receivers,
+                                      grid.count, &grid, "level", NULL),
+                     PP_OK);
+    assert_near(finding.reached_over, front, 0.004);
+    assert_near(finding.figure, 0.01, 0.0);
+    target.part = 0.66;
+    assert_int_equal(pp_share_finding(&finding, &target, &column, grid.receivers,
+                                      grid.count, &grid, "level", NULL),
+                     PP_OK);
+    assert_near(finding.figure, 0.03, 0.0);
+    struct pp_reading mean =
+        pp_plane_share_mean(column.points, grid.receivers, grid.count, 0.0);
+    assert_near(mean.value, 0.01 + 0.02 * finding.reached_over, 1e-15);
+    free(column.points);
+    pp_plane_grid_clear(&grid);
+    pp_world_destroy(world);
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(points_of_an_l_shaped_plan_represent_its_two_rectangles),
         cmocka_unit_test(cells_of_a_rectangle_have_equal_areas),
         cmocka_unit_test(two_grids_share_the_area_of_the_plane),
+        cmocka_unit_test(a_level_of_an_l_shaped_plan_is_that_over_its_areas),
         cmocka_unit_test(sda_of_an_l_shaped_plan_is_that_of_its_areas),
     };
     add_tests(tests, NULL, NULL);

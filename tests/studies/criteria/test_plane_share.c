@@ -12,8 +12,8 @@ static struct pp_plane_share share_of(const struct pp_reading *points, int count
                                       double part, double target)
 {
     struct pp_plane_share share;
-    assert_int_equal(pp_plane_share(&share, points, count, 0.0, part, target, NULL),
-                     PP_OK);
+    assert_int_equal(
+        pp_plane_share(&share, points, NULL, count, 0.0, part, target, NULL), PP_OK);
     return share;
 }
 
@@ -91,6 +91,48 @@ static void sums_of_unlike_tosses_are_what_enumeration_gives(void **state)
     }
 }
 
+/* Enumerates the 16 outcomes of four points that represent 1, 2, 3 and 2 m2. */
+static void sums_of_unlike_areas_are_what_enumeration_gives(void **state)
+{
+    (void)state;
+    static const double values[] = {0.0192, 0.0199, 0.0207, 0.0231};
+    static const double errors[] = {0.0011, 0.0006, 0.0009, 0.0028};
+    static const double areas[] = {1.0, 2.0, 3.0, 2.0};
+    static const double parts[] = {0.1, 0.3, 0.45, 0.6, 0.72, 0.8, 1.0};
+    struct pp_reading points[4];
+    struct pp_receiver receivers[4] = {0};
+    double p[4];
+    for (int i = 0; i < 4; i++) {
+        points[i] = (struct pp_reading){.value = values[i], .std_error = errors[i]};
+        receivers[i].area_m2 = areas[i];
+        p[i] = 0.5 * (1.0 - erf((0.02 - values[i]) / errors[i] / sqrt(2.0)));
+    }
+    for (size_t k = 0; k < sizeof parts / sizeof *parts; k++) {
+        double sum = 0.0;
+        for (int ways = 0; ways < 16; ways++) {
+            double odds = 1.0, reach_m2 = 0.0;
+            for (int i = 0; i < 4; i++) {
+                reach_m2 += ways >> i & 1 ? areas[i] : 0.0;
+                odds *= ways >> i & 1 ? p[i] : 1.0 - p[i];
+            }
+            sum += reach_m2 >= parts[k] * 8.0 ? odds : 0.0;
+        }
+        struct pp_plane_share share;
+        assert_int_equal(
+            pp_plane_share(&share, points, receivers, 4, 0.0, parts[k], 0.02, NULL),
+            PP_OK);
+        assert_near(share.probability, sum, 1e-11);
+        assert_near(share.over, 5.0 / 8.0, 1e-15);
+        /* In descending order the points reach 2, 5, 7 and 8 of the 8 m2. */
+        assert_near(share.level,
+                    parts[k] <= 0.25    ? 0.0231
+                    : parts[k] <= 0.625 ? 0.0207
+                    : parts[k] <= 0.875 ? 0.0199
+                                        : 0.0192,
+                    0.0);
+    }
+}
+
 /* Uniform numbers by a congruential generator, which is sufficient here. */
 static double uniform(unsigned *state)
 {
@@ -147,8 +189,8 @@ static void compare_with_draws(const struct pp_reading *points, int count,
     }
     qsort(medians, DRAWS, sizeof *medians, in_order);
     struct pp_plane_share share;
-    assert_int_equal(pp_plane_share(&share, points, count, common, 0.5, target, NULL),
-                     PP_OK);
+    assert_int_equal(
+        pp_plane_share(&share, points, NULL, count, common, 0.5, target, NULL), PP_OK);
     assert_near(share.probability, hits / DRAWS, 0.014);
     double spread =
         0.5 * (medians[(int)(0.8413 * DRAWS)] - medians[(int)(0.1587 * DRAWS)]);
@@ -291,10 +333,10 @@ static void points_that_go_wrong_together_are_as_one(void **state)
     for (int i = 0; i < 101; i++)
         points[i] = (struct pp_reading){.value = 0.02 + 1e-7 * i, .std_error = 0.0004};
     struct pp_plane_share alone, together;
-    assert_int_equal(pp_plane_share(&alone, points, 101, 0.0, 0.5, 0.0198, NULL),
+    assert_int_equal(pp_plane_share(&alone, points, NULL, 101, 0.0, 0.5, 0.0198, NULL),
                      PP_OK);
-    assert_int_equal(pp_plane_share(&together, points, 101, 1.0, 0.5, 0.0198, NULL),
-                     PP_OK);
+    assert_int_equal(
+        pp_plane_share(&together, points, NULL, 101, 1.0, 0.5, 0.0198, NULL), PP_OK);
     assert_true(alone.probability > 0.9999);
     /* Phi((0.020005 - 0.0198) / 0.0004) */
     assert_near(together.probability, 0.6958, 2e-3);
@@ -315,7 +357,7 @@ static void a_share_in_common_adds_to_the_levels_error(void **state)
     for (int i = 1; i < 10; i += 2) {
         double c = 0.1 * i;
         struct pp_plane_share share;
-        assert_int_equal(pp_plane_share(&share, points, 101, c, 0.5, 0.02, NULL),
+        assert_int_equal(pp_plane_share(&share, points, NULL, 101, c, 0.5, 0.02, NULL),
                          PP_OK);
         assert_relative(share.std_error, 0.0004 * sqrt(c + (1.0 - c) * 0.1247 * 0.1247),
                         0.04);
@@ -329,6 +371,7 @@ TEST_FILE
         cmocka_unit_test(computed_points_are_counted),
         cmocka_unit_test(median_of_an_even_number_is_the_mean_of_the_middle_two),
         cmocka_unit_test(one_point_is_as_sure_as_the_normal_distribution),
+        cmocka_unit_test(sums_of_unlike_areas_are_what_enumeration_gives),
         cmocka_unit_test(sums_of_unlike_tosses_are_what_enumeration_gives),
         cmocka_unit_test(probability_and_error_are_what_drawing_gives),
         cmocka_unit_test(median_of_an_even_number_is_as_sure_as_drawing_says),

@@ -85,6 +85,10 @@ static void blinds_close_for_more_than_two_per_cent(void **state)
     assert_true(pp_blind_groups_closes(3, 100));
     assert_false(pp_blind_groups_closes(0, 24));
     assert_true(pp_blind_groups_closes(1, 24));
+    /* The sun is on one of 40 points, which is 2.5 %, but this point represents only
+     * half a cell: 0.5 of 39.5. */
+    assert_true(pp_blind_groups_closes(1, 40));
+    assert_false(pp_blind_groups_closes(0.5, 39.5));
 }
 
 /* Windows in one wall: two bare ones, screens with two values of openness, a blind. The
