@@ -58,6 +58,9 @@ static void write_cells(char cells[COLUMNS][CELL], const struct pp_finding *find
         snprintf(cells[LUX], CELL, "%.0f lx", layout->external_lux * finding->figure);
 }
 
+/* Limits of the first column's width. */
+enum { WHAT_LEAST = 12, WHAT_MOST = 44 };
+
 /* Sets the column widths. All columns except the first are as wide as necessary, and at
  * least as wide as in most criteria, so that columns of different criteria are
  * aligned. */
@@ -79,8 +82,10 @@ static void lay_out_columns(struct layout *layout,
     for (int c = FIGURE; c < COLUMNS; c++)
         used += layout->widths[c] ? layout->widths[c] + GAP : 0;
     layout->widths[WHAT] = layout->width - used;
-    if (layout->widths[WHAT] > 44)
-        layout->widths[WHAT] = 44;
+    if (layout->widths[WHAT] > WHAT_MOST)
+        layout->widths[WHAT] = WHAT_MOST;
+    if (layout->widths[WHAT] < WHAT_LEAST) /* the terminal wraps these lines */
+        layout->widths[WHAT] = WHAT_LEAST;
 }
 
 /* ---- rows ---- */

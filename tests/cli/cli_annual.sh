@@ -345,16 +345,4 @@ check "hours of a building" refuses 1 "--hourly" $annual --hourly "$scratch/h.cs
     "$examples/building.xml"
 check "a name of hours" refuses 2 ".npy" $annual --hourly hours.txt "$room"
 
-# On a terminal the progress bar has the room's name, or "room".
-sed 's/ name="[^"]*"//' "$room" >"$scratch/nameless.xml"
-if script -qec true /dev/null >/dev/null 2>&1 </dev/null; then
-    for words in "$annual" "assess --by-hand" "size --target 3% --by-hand"; do
-        script -qec "'$pepperpot' $words '$scratch/nameless.xml' >/dev/null" /dev/null \
-            </dev/null >"$scratch/bar"
-        check "${words%% *}: a room without a name on a terminal" test $? -eq 0
-    done
-else
-    skip "a room without a name on a terminal" "there is no script(1) to make one"
-fi
-
 tap_done
