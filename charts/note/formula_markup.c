@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "model/base/text.h"
-#include "model/results/expression.h"
+#include "model/expression/expression.h"
 
 void pp_formula_markup_words(char *markup, size_t room, const char *words)
 {

@@ -14,7 +14,7 @@
 #define PP_MODEL_RESULTS_FORMULA_H
 
 #include "model/base/error.h"
-#include "model/results/expression_value.h"
+#include "model/expression/expression_value.h"
 #include "model/results/steps.h"
 
 /* A quantity that a formula, or a reader's variant of it, may use. */

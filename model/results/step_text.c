@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "model/base/text.h"
-#include "model/results/expression.h"
+#include "model/expression/expression.h"
 
 enum { DIGITS = 4 /* significant digits at least */ };
 

@@ -11,7 +11,7 @@
 #include <stdarg.h>
 #include <stdbool.h>
 
-#include "model/results/expression_value.h"
+#include "model/expression/expression_value.h"
 #include "model/results/formula.h"
 #include "model/results/steps.h"
 

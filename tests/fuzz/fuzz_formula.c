@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/results/expression_value.h"
+#include "model/expression/expression_value.h"
 #include "model/results/formula.h"
 #include "tests/fuzz/must.h"
 

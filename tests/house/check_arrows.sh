@@ -14,11 +14,12 @@ library="model formats methods simulate studies charts reports api"
 places='
 model/base
 model/geometry      model/base
-model/light         model/base model/geometry
+model/expression    model/base model/geometry
+model/light         model/base model/geometry model/expression
 model/mesh          model/base model/geometry
 model/pictures      model/base model/geometry model/light
-model/room          model/base model/geometry model/light model/mesh model/pictures
-model/results       model/base model/geometry model/light model/room model/pictures
+model/room          model/base model/geometry model/expression model/light model/mesh model/pictures
+model/results       model/base model/geometry model/expression model/light model/room model/pictures
 formats             model
 methods             model
 simulate/sampling   model

@@ -1,8 +1,8 @@
 /* expression_value.h - evaluates an expression for given values of its names. */
-#ifndef PP_MODEL_RESULTS_EXPRESSION_VALUE_H
-#define PP_MODEL_RESULTS_EXPRESSION_VALUE_H
+#ifndef PP_MODEL_EXPRESSION_EXPRESSION_VALUE_H
+#define PP_MODEL_EXPRESSION_EXPRESSION_VALUE_H
 
-#include "model/results/expression.h"
+#include "model/expression/expression.h"
 
 /* Evaluates the expression; values[i] is the value of the i-th name of the list. The
  * result follows IEEE 754 in any case. *fault (may be NULL) is set to the first

@@ -1,6 +1,6 @@
 /* expression.c - recursive-descent parser with dimension checks; the result is a list
  * of operations in postfix order. */
-#include "model/results/expression.h"
+#include "model/expression/expression.h"
 
 #include <assert.h>
 #include <math.h>
@@ -9,12 +9,12 @@
 #include <string.h>
 
 #include "model/base/text.h"
-#include "model/results/expression_value.h"
+#include "model/expression/expression_value.h"
 #include "model/geometry/vec.h"
 
-static const char *const functions[] = {"sqrt", "exp", "ln",  "log10", "abs",
-                                        "sin",  "cos", "tan", "asin",  "acos",
-                                        "atan", "min", "max", "sum",   NULL};
+static const char *const functions[] = {"sqrt", "exp", "ln",   "log10", "abs",  "sin",
+                                        "cos",  "tan", "asin", "acos",  "atan", "floor",
+                                        "mod",  "min", "max",  "sum",   NULL};
 
 const char *const *pp_expression_functions(void)
 {
@@ -244,9 +244,12 @@ static struct term call(struct parser *parser, enum pp_operation_kind kind,
         struct term argument = sum(parser);
         if (parser->failed)
             return argument;
-        if (count > 0 && kind < PP_DO_MIN)
+        if (count > 0 && kind < PP_DO_MOD)
             return fail(parser, argument.start,
                         "this function has one argument; expected \")\" after it");
+        if (count > 1 && kind == PP_DO_MOD)
+            return fail(parser, argument.start,
+                        "mod has two arguments; expected \")\" after them");
         argument.dimension = dimension_of_call(parser, kind, &argument);
         if (count > 0 && !check_alike(parser, &all, &argument))
             return argument;
@@ -261,6 +264,8 @@ static struct term call(struct parser *parser, enum pp_operation_kind kind,
                  (int)(opened - parser->text) + parser->shift + 1);
         return fail(parser, parser->at, what);
     }
+    if (!parser->failed && kind == PP_DO_MOD && count < 2)
+        return fail(parser, parser->at - 1, "mod has two arguments; expected \",\"");
     emit(parser, kind, start)->count = (unsigned char)count;
     all.value = all.constant ? pp_expression_value_call(kind, values, count) : NAN;
     return all;

@@ -1,5 +1,5 @@
 /* dimension.c - compares and multiplies powers of metre, degree and per cent. */
-#include "model/results/dimension.h"
+#include "model/expression/dimension.h"
 
 #include <math.h>
 

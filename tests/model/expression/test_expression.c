@@ -46,6 +46,9 @@ static void sums_have_the_values_calculated_by_hand(void **state)
     assert_near(value_of("exp(ln(7)) log10(1000) abs(-2)"), 42.0, 1e-13);
     assert_near(value_of("max(R, 3, -2) min(R, R_fw) sum(1, 2, 3) pi"),
                 3.0 * 0.31 * 6.0 * M_PI, 1e-13);
+    assert_near(value_of("floor(2.9) + 10 floor(-0.1) + 100 mod(7.5, 2)"),
+                2.0 - 10.0 + 150.0, 0.0);
+    assert_near(value_of("mod(-1, 4) + mod(h / h, 2)"), 4.0, 0.0);
 }
 
 /* Position of each error: the column, counted from 1, and a word of the message. */
@@ -78,6 +81,9 @@ static void a_wrong_text_is_refused_at_its_place(void **state)
         {"sin 3", 5, "\"(\" after"},
         {"sin(3, 4)", 8, "one argument"},
         {"max()", 5, "expected a number"},
+        {"mod(3)", 6, "two arguments"},
+        {"mod(3, 2, 1)", 11, "two arguments"},
+        {"floor(3, 2)", 10, "one argument"},
         {"2..3", 1, "not a number"},
         {"R; R", 2, "or the end"},
         {"R = 3", 3, "or the end"},

@@ -8,18 +8,18 @@
  *
  * A minus binds less tightly than ^ and more tightly than *. A name is a letter
  * followed by letters, digits, _ and '. Functions: sqrt, exp, ln, log10, abs; sin, cos,
- * tan of degrees; asin, acos, atan in degrees; min, max, sum of any number of
- * arguments. The only constant is pi. There are no assignments, loops or files.
+ * tan of degrees; asin, acos, atan in degrees; floor; mod(a, b) = a - b floor(a / b);
+ * min, max, sum of any number of arguments. The only constant is pi. There are no assignments, loops or files.
  *
  * Each quantity has a dimension (dimension.h). Terms of a sum must have the same one.
  */
-#ifndef PP_MODEL_RESULTS_EXPRESSION_H
-#define PP_MODEL_RESULTS_EXPRESSION_H
+#ifndef PP_MODEL_EXPRESSION_EXPRESSION_H
+#define PP_MODEL_EXPRESSION_EXPRESSION_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "model/results/dimension.h"
+#include "model/expression/dimension.h"
 
 enum {
     PP_EXPRESSION_MOST = 200, /* bytes of the text */
@@ -56,6 +56,8 @@ enum pp_operation_kind {
     PP_DO_ASIN,
     PP_DO_ACOS,
     PP_DO_ATAN,
+    PP_DO_FLOOR,
+    PP_DO_MOD, /* the only function of exactly two arguments */
     PP_DO_MIN,
     PP_DO_MAX,
     PP_DO_SUM

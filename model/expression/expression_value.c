@@ -1,5 +1,5 @@
 /* expression_value.c - evaluates operations in postfix order on a stack. */
-#include "model/results/expression_value.h"
+#include "model/expression/expression_value.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -33,6 +33,10 @@ double pp_expression_value_call(enum pp_operation_kind kind, const double *list,
         return acos(value) / PP_RAD;
     case PP_DO_ATAN:
         return atan(value) / PP_RAD;
+    case PP_DO_FLOOR:
+        return floor(value);
+    case PP_DO_MOD:
+        return value - list[1] * floor(value / list[1]);
     default:
         break;
     }

@@ -4,8 +4,8 @@
  * A plain number may be added to degrees or per cent, but not to metres: 1 - alpha / 90
  * is valid, A + 3 with an area A is not.
  */
-#ifndef PP_MODEL_RESULTS_DIMENSION_H
-#define PP_MODEL_RESULTS_DIMENSION_H
+#ifndef PP_MODEL_EXPRESSION_DIMENSION_H
+#define PP_MODEL_EXPRESSION_DIMENSION_H
 
 #include <stdbool.h>
 
