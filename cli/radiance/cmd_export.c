@@ -181,6 +181,14 @@ static enum pp_status add_rooms(struct pp_output_directory *directory,
 
 /* ---- parts omitted from the scene ---- */
 
+static bool has_pattern(const struct pp_world *world)
+{
+    for (int i = 0; i < world->surface_count; i++)
+        if (world->surfaces[i].pattern_mean > 0.0)
+            return true;
+    return false;
+}
+
 static void say_left_out(const struct pp_rooms *rooms, bool gloss)
 {
     for (int i = 0; i < rooms->count; i++) {
@@ -191,11 +199,16 @@ static void say_left_out(const struct pp_rooms *rooms, bool gloss)
                        "deterioration of decorations in the internally reflected "
                        "component, so its daylight factors are higher",
                        file, world->decorations);
-        if (gloss && pp_rough_finishes_count(world->materials) > 0
+        if (gloss && pp_rough_finishes_rough_count(world->materials) > 0
             && (i == 0 || strcmp(rooms->list[i].file, rooms->list[i - 1].file) != 0))
-            pp_message("%.200s: each <material> becomes a metal or plastic with the "
-                       "same reflectance for diffuse light; its spike, and the change "
-                       "of its lobe with angle and wavelength, are lost",
+            pp_message(
+                "%.200s: each rough <material> becomes a metal or plastic with the "
+                "same reflectance for diffuse light; its spike, and the change "
+                "of its lobe with angle and wavelength, are lost",
+                file);
+        if (has_pattern(world))
+            pp_message("%.200s: each surface with a pattern has the mean of its "
+                       "reflectance in the scene",
                        file);
         if (!gloss && pp_rad_room_has_gloss(world))
             pp_message("%.200s: finishes in the scene are matt and grey, as for "

@@ -50,11 +50,25 @@ struct pp_material pp_material_rough(const struct pp_rough_surface *surface)
     return material;
 }
 
+struct pp_rgb pp_material_diffuse_at(const struct pp_material *material,
+                                     struct pp_vec3 point)
+{
+    if (!material->surface_pattern)
+        return material->diffuse;
+    double more = pp_surface_pattern_at(material->surface_pattern, point, NULL)
+                  - material->pattern_mean;
+    struct pp_rgb here = pp_rgb_along(material->diffuse, more, material->pattern_scale);
+    /* fmax: 0 for NAN */
+    return pp_rgb(fmin(fmax(here.r, 0.0), 1.0), fmin(fmax(here.g, 0.0), 1.0),
+                  fmin(fmax(here.b, 0.0), 1.0));
+}
+
 struct pp_material pp_material_greyed(const struct pp_material *material)
 {
     struct pp_material grey = *material;
     grey.diffuse = pp_rgb_grey(pp_rgb_luminance(material->diffuse));
     grey.gloss = pp_rgb_grey(pp_rgb_luminance(material->gloss));
+    grey.pattern_scale = pp_rgb_grey(pp_rgb_luminance(material->pattern_scale));
     grey.rough_is_grey = material->rough != NULL;
     return grey;
 }

@@ -30,6 +30,7 @@
 #include <stdbool.h>
 
 #include "model/base/error.h"
+#include "model/expression/surface_pattern.h"
 #include "model/light/glass_curve.h"
 #include "model/light/pane_scatter.h"
 #include "model/light/rgb.h"
@@ -66,6 +67,13 @@ struct pp_material {
      * `diffuse`, and its roughness 0. */
     const struct pp_rough_surface *rough;
     bool rough_is_grey; /* scatters all channels by their luminance */
+
+    /* Pattern of the diffuse part; not owned; NULL: none. `diffuse` is the mean over the
+     * surface. At a place where the pattern is f, the reflectance is
+     * diffuse + pattern_scale (f - pattern_mean). */
+    const struct pp_surface_pattern *surface_pattern;
+    struct pp_rgb pattern_scale;
+    double pattern_mean; /* mean of the pattern over the surface */
 
     struct pp_rgb through_diffuse; /* translucent: transmittances */
     struct pp_rgb through_gloss;
@@ -104,6 +112,11 @@ struct pp_material pp_material_metal(struct pp_rgb colour, double specular,
 
 /* A physically rough surface, which must outlive the material. */
 struct pp_material pp_material_rough(const struct pp_rough_surface *surface);
+
+/* Diffuse reflectance of the material at a point of the room. Where the pattern leaves
+ * the range from 0 to 1, or has no value, it is 0 or 1. */
+struct pp_rgb pp_material_diffuse_at(const struct pp_material *material,
+                                     struct pp_vec3 point);
 
 /* Returns a grey copy: the channels of the diffuse part are replaced by their
  * luminance, and so are those of the gloss. */

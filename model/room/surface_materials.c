@@ -44,6 +44,19 @@ static void name(struct pp_material *material, const char *of, bool outside)
              outside ? " (outside)" : "");
 }
 
+static void add_pattern(struct pp_material *material, const struct pp_world *world,
+                        const struct pp_surface *surface)
+{
+    const struct pp_rough_finish *of =
+        pp_rough_finishes_patterned(world->materials, surface->finish);
+    material->surface_pattern = &of->pattern;
+    material->pattern_scale = of->surface.optics.diffuse;
+    material->pattern_mean = surface->pattern_mean;
+    if (material->rough)
+        material->diffuse =
+            pp_rgb_scale(material->pattern_scale, surface->pattern_mean);
+}
+
 struct pp_material pp_surface_materials_of(const struct pp_world *world, int index,
                                            bool front)
 {
@@ -57,11 +70,14 @@ struct pp_material pp_surface_materials_of(const struct pp_world *world, int ind
     bool finished = surface->finish
                     && (front || !surface->inside || surface->role == PP_FREE_SURFACE
                         || surface->role == PP_COVER);
+    bool patterned = finished && surface->pattern_mean > 0.0;
     /* A physically rough finish applies only with its own reflectance. */
-    if (finished && rough && reflectance == surface->finish->reflectance)
+    if (finished && rough && (patterned || reflectance == surface->finish->reflectance))
         material = pp_material_rough(rough);
     else if (finished && !rough)
         material = pp_material_finish(surface->finish, reflectance);
+    if (patterned)
+        add_pattern(&material, world, surface);
     if (surface->exitance > 0.0) {
         material.emits = PP_EMITS_EXTENDED;
         material.radiance = pp_rgb_grey(surface->exitance / PP_PI);
@@ -81,6 +97,7 @@ struct pp_material pp_surface_materials_matt(const struct pp_world *world, int i
     material.roughness[0] = material.roughness[1] = 0.0;
     material.grain = pp_vec(0.0, 0.0, 0.0);
     material.rough = NULL;
+    material.pattern_scale = pp_rgb_grey(pp_rgb_luminance(material.pattern_scale));
     return material;
 }
 
@@ -302,7 +319,9 @@ bool pp_surface_materials_same(const struct pp_material *a, const struct pp_mate
     struct pp_material_key keys[2] = {pp_surface_materials_key(a),
                                       pp_surface_materials_key(b)};
     return memcmp(&keys[0], &keys[1], sizeof keys[0]) == 0 && a->rough == b->rough
-           && a->rough_is_grey == b->rough_is_grey;
+           && a->rough_is_grey == b->rough_is_grey
+           && a->surface_pattern == b->surface_pattern
+           && a->pattern_mean == b->pattern_mean;
 }
 
 /* Number of previous materials that a new one is compared with. A world of a million

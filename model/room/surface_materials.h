@@ -73,7 +73,8 @@ double pp_surface_materials_pane_from(const struct pp_opening *opening,
 double pp_surface_materials_pane_sun(const struct pp_opening *opening, struct pp_vec3 u,
                                      double cosine);
 
-/* The fields of a material, including its name, but not its physically rough surface.
+/* The fields of a material, including its name, but not its physically rough surface or
+ * its pattern.
  * Equal fields give keys that are equal byte for byte; -0 counts as 0. */
 enum { PP_MATERIAL_KEY_NUMBERS = 41, PP_MATERIAL_KEY_OF_SCATTER = 2 /* the last */ };
 struct pp_material_key {
@@ -82,7 +83,8 @@ struct pp_material_key {
 };
 struct pp_material_key pp_surface_materials_key(const struct pp_material *material);
 
-/* True if the keys of the materials are equal and their rough surfaces are the same. */
+/* True if the keys of the materials are equal and their rough surfaces and patterns are
+ * the same. */
 bool pp_surface_materials_same(const struct pp_material *a,
                                const struct pp_material *b);
 

@@ -11,6 +11,7 @@
 #include "model/room/build/covers.h"
 #include "model/room/build/envelope.h"
 #include "model/room/build/fittings.h"
+#include "model/room/build/mean_patterns.h"
 #include "model/room/build/free_surfaces.h"
 #include "model/room/build/outline.h"
 #include "model/light/slats/blind.h"
@@ -357,10 +358,10 @@ static enum pp_status resolve_world(struct pp_resolver *r, struct pp_error *err)
         pp_build_watertight,    pp_build_place_openings, pp_build_reveals,
         pp_build_facades,       pp_build_blocks,         pp_build_skylines,
         pp_build_free_surfaces, pp_build_fittings,       pp_build_covers,
-        mark_inner_walls,       pp_build_shades,         resolve_gardens,
-        resolve_working_plane,  pp_build_receivers,      pp_build_views,
-        pp_build_nested,        pp_build_trees,          find_triangles,
-        pp_build_meshes,        resolve_self_occlusion};
+        mark_inner_walls,       pp_build_mean_patterns,  pp_build_shades,
+        resolve_gardens,        resolve_working_plane,   pp_build_receivers,
+        pp_build_views,         pp_build_nested,         pp_build_trees,
+        find_triangles,         pp_build_meshes,         resolve_self_occlusion};
     enum pp_status status = pp_clipper_create(&r->clipper, err);
     for (size_t i = 0; i < sizeof steps / sizeof *steps && status == PP_OK; i++)
         status = steps[i](r, err);

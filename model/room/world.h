@@ -55,10 +55,13 @@ struct pp_surface {
                                      * of covers, free-standing surfaces and all
                                      * surfaces outside. NULL: grey and diffuse.
                                      * Reflectance is that of `front` */
-    int owner;          /* index of: a reveal's opening; a cover's wall (surface); a
+    double pattern_mean; /* mean of the pattern of the finish over the surface; `front`,
+                          * and `back` if it has the finish, are means too. 0: no
+                          * pattern */
+    int owner;           /* index of: a reveal's opening; a cover's wall (surface); a
                     * block; a facade; a skyline; the opening of a shade of this
                     * room. Else -1 */
-    bool is_door;       /* cover: door, not dado */
+    bool is_door;        /* cover: door, not dado */
     bool is_of_fitting; /* face of a closed object in the room: nothing sees its back */
     bool is_shade; /* overhang, fin, balcony or shelf of a window, of this room or of
                     * another room in the same front */

@@ -30,7 +30,7 @@ static bool has_factors(const struct pp_assessments *all)
 static bool has_rough_materials(const struct pp_assessments *all)
 {
     for (int i = 0; i < all->count; i++)
-        if (pp_rough_finishes_count(all->list[i].room->world->materials) > 0)
+        if (pp_rough_finishes_rough_count(all->list[i].room->world->materials) > 0)
             return true;
     return false;
 }

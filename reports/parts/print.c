@@ -146,17 +146,42 @@ static void append_reflectance(const struct pp_world *world, enum pp_role role,
         pp_text_append(text, TEXT_BYTES, " to %.3g", high);
 }
 
-/* Passes on each material with physical roughness, and the light lost by its
- * roughness. */
-static void tell_rough_materials(const struct pp_world *world,
-                                 const struct listener *listener)
+/* Appends the range of the mean reflectances of the surfaces with the pattern. */
+static void append_means(const struct pp_world *world,
+                         const struct pp_rough_finish *material, char text[TEXT_BYTES])
+{
+    double low = INFINITY, high = -INFINITY;
+    for (int i = 0; i < world->surface_count; i++)
+        if (world->surfaces[i].finish == &material->finish
+            && world->surfaces[i].pattern_mean > 0.0) {
+            low = fmin(low, world->surfaces[i].front);
+            high = fmax(high, world->surfaces[i].front);
+        }
+    if (low > high)
+        return;
+    pp_text_append(text, TEXT_BYTES, ", %.3g ", low);
+    if (high > low)
+        pp_text_append(text, TEXT_BYTES, "to %.3g ", high);
+    pp_text_append(text, TEXT_BYTES, "on average with its pattern");
+}
+
+/* Passes on each material of the room file: its reflectance, its mean reflectance with
+ * a pattern, and the light lost by roughness. */
+static void tell_materials(const struct pp_world *world,
+                           const struct listener *listener)
 {
     for (int i = 0; i < pp_rough_finishes_count(world->materials); i++) {
         const struct pp_rough_finish *material =
             pp_rough_finishes_at(world->materials, i);
-        tell(listener, i == 0 ? "materials" : "",
-             "%s reflects %.3g, and loses %.1f %% by roughness", material->finish.name,
-             material->finish.reflectance, 100.0 * material->surface.lost);
+        char text[TEXT_BYTES] = "";
+        pp_text_append(text, TEXT_BYTES, "%s reflects %.3g", material->finish.name,
+                       material->finish.reflectance);
+        if (material->has_pattern)
+            append_means(world, material, text);
+        if (!material->is_matt)
+            pp_text_append(text, TEXT_BYTES, ", and loses %.1f %% by roughness",
+                           100.0 * material->surface.lost);
+        tell(listener, i == 0 ? "materials" : "", "%s", text);
     }
 }
 
@@ -338,7 +363,7 @@ void pp_print_facts(const struct pp_world *world, const struct pp_outside_light 
     tell_sky(world, light, &listener);
     tell_size(world, &listener);
     tell_reflectances(world, &listener);
-    tell_rough_materials(world, &listener);
+    tell_materials(world, &listener);
     tell_openings(world, &listener);
     tell_outside(world, light, &listener);
     tell_within(world, &listener);

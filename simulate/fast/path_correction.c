@@ -247,7 +247,7 @@ static bool step(struct pp_path_state *state, struct path_arm *arm, int vertex,
     uint32_t openings = state->variate ? OPENINGS : 1;
     *sum += arm->throughput
             * (PP_PI * material->radiance.g - pp_path_guess(state, &arm->met));
-    arm->throughput *= material->diffuse.g;
+    arm->throughput *= pp_light_scene_parts_diffuse(state->light.scene, &arm->met).g;
     return arm->throughput > 0.0 && bounce(state, arm, vertex, openings, lobes, sum);
 }
 
@@ -292,7 +292,7 @@ double pp_path_residual(struct pp_path_state *state, const struct pp_light_hit *
     bool reached = step(state, &arm, 1, &sum);
     for (int i = 0; i < count; i++)
         shared += pp_shared_density_taken(&others[i], met->point, met->normal);
-    sum += state->light.scene->materials[met->material].diffuse.g * shared / count;
+    sum += pp_light_scene_parts_diffuse(state->light.scene, met).g * shared / count;
     return reached && is_left(state, &arm, 1) ? sum + residual(state, &arm, 2) : sum;
 }
 

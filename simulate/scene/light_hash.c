@@ -32,6 +32,15 @@ static uint64_t stir_rough(uint64_t hash, const struct pp_material *material)
     return stir(hash, material->rough_is_grey);
 }
 
+static uint64_t stir_surface_pattern(uint64_t hash, const struct pp_material *material)
+{
+    for (const char *c = material->surface_pattern->text; *c; c++)
+        hash = pp_hash(hash, (unsigned char)*c);
+    struct pp_rgb scale = material->pattern_scale;
+    hash = stir(stir(stir(hash, scale.r), scale.g), scale.b);
+    return stir(hash, material->pattern_mean);
+}
+
 static uint64_t stir_material(uint64_t hash, const struct pp_material *material)
 {
     struct pp_material_key key = pp_surface_materials_key(material);
@@ -42,6 +51,8 @@ static uint64_t stir_material(uint64_t hash, const struct pp_material *material)
         count -= PP_MATERIAL_KEY_OF_SCATTER;
     for (int i = 0; i < count; i++)
         hash = stir(hash, key.numbers[i]);
+    if (material->surface_pattern)
+        hash = stir_surface_pattern(hash, material);
     return material->rough ? stir_rough(hash, material) : hash;
 }
 

@@ -8,6 +8,8 @@ void pp_light_scene_parts_lobes(const struct pp_light_scene *scene,
     pp_scatter_init(lobes, &scene->materials[hit->material],
                     pp_light_scene_gloss(scene, hit->material), hit->normal,
                     pp_vec_scale(to, -1.0));
+    if (scene->materials[hit->material].surface_pattern)
+        lobes->share[PP_LOBE_DIFFUSE] = pp_light_scene_parts_diffuse(scene, hit);
 }
 
 bool pp_light_scene_parts_pass(const struct pp_light_scene *scene,

@@ -137,6 +137,17 @@ static inline enum pp_space pp_light_scene_parts_space(
                    : hit->space;
 }
 
+/* Diffuse reflectance at the hit: local, if the material has a pattern. The hit's point
+ * is measured from the scene's centre. */
+static inline struct pp_rgb pp_light_scene_parts_diffuse(
+    const struct pp_light_scene *scene, const struct pp_light_hit *hit)
+{
+    const struct pp_material *material = &scene->materials[hit->material];
+    return material->surface_pattern
+               ? pp_material_diffuse_at(material, pp_vec_add(hit->point, scene->centre))
+               : material->diffuse;
+}
+
 /* The lobes of the part that a ray along `to` has hit, for light scattered back along
  * the ray. */
 void pp_light_scene_parts_lobes(const struct pp_light_scene *scene,

@@ -366,7 +366,7 @@ static bool scatter_matt(struct pp_radiance_state *state, struct pp_light_path *
                          const struct pp_light_hit *hit, struct pp_rgb *total)
 {
     const struct pp_light_part *part = &state->scene->parts[hit->part];
-    struct pp_rgb albedo = state->scene->materials[hit->material].diffuse;
+    struct pp_rgb albedo = pp_light_scene_parts_diffuse(state->scene, hit);
     struct pp_shading_point shading = {.point =
                                            pp_rays_draw_back(hit->point, path->ray.to),
                                        .normal = hit->normal,

@@ -37,7 +37,7 @@ static void end_at_part(struct pp_eye_ray *ray, const struct pp_light_scene *sce
     if (window < 0) {
         ray->end = PP_EYE_SURFACE;
         ray->tag = hit->tag;
-        ray->reflectance = material->diffuse.g;
+        ray->reflectance = pp_light_scene_parts_diffuse(scene, hit).g;
         if (hit->tag >= 0 && hit->tag < world->surface_count)
             ray->exitance = world->surfaces[hit->tag].exitance;
     } else if (material->kind == PP_MATERIAL_TRANSLUCENT) {

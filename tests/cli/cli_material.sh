@@ -1,5 +1,5 @@
 #!/bin/sh
-# Rooms with physically rough materials: df, render, export.
+# Rooms with physically rough and patterned materials: df, render, export.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
@@ -88,4 +88,23 @@ check "an unknown material is refused" refuses 1 "or # and the name of a <materi
     df --set finishes.floor="#zinc" "$room"
 check "a material's attribute can be set" shows "and loses 0.0 % by roughness" \
     df --set material.copper.roughness=0.01 "$room"
+# A chequer of 0.2 and 0.6, and a pattern that is 1/2 everywhere, on a matt floor.
+patterned() { # PATTERN
+    sed -e '/<material/,/>/d' -e "s|<plan|<material name=\"tiles\" diffuse=\"0.6\" pattern=\"$1\"/>&|" \
+        -e 's/#copper/#tiles/' "$room"
+}
+patterned "1 - 2/3 mod(floor(x / 0.5) + floor(y / 0.5), 2)" >"$scratch/tiles.xml"
+check "df prints the mean of a pattern" shows "tiles reflects 0.6, 0.4 on average with its pattern" \
+    df "$scratch/tiles.xml"
+patterned 0.5 >"$scratch/half.xml"
+sed 's/#copper/0.3/' "$room" | sed '/<material/,/>/d' >"$scratch/plain.xml"
+values() { "$pepperpot" df -s --samples 16 --format csv "$scratch/$1.xml" | cut -d, -f2-; }
+values half >"$scratch/half"
+values plain >"$scratch/plain"
+check "a constant pattern changes nothing" cmp "$scratch/half" "$scratch/plain"
+check "render draws a pattern" quietly render --size 40x30 --samples 4 "$scratch/tiles.xml" \
+    -o "$scratch/tiles.hdr"
+"$pepperpot" export --to radiance -o "$scratch/tiles" "$scratch/tiles.xml" 2>"$scratch/err"
+check "export gives its mean" grep -q "pattern has the mean of its reflectance" "$scratch/err"
+check "export gives the mean to Radiance" grep -q "^5 0.\(40\|39\)" "$scratch/tiles/materials.rad"
 tap_done

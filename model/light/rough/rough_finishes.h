@@ -1,5 +1,5 @@
-/* rough_finishes.h - the physically rough materials that a room file defines, as
- * finishes of its surfaces.
+/* rough_finishes.h - the materials that a room file defines, as finishes of its
+ * surfaces: physically rough, or matt; with a pattern or without.
  *
  * All rooms of a file and their worlds share one list, which counts its holders. No
  * material may be added once the list has a second holder.
@@ -7,20 +7,27 @@
 #ifndef PP_MODEL_LIGHT_ROUGH_ROUGH_FINISHES_H
 #define PP_MODEL_LIGHT_ROUGH_ROUGH_FINISHES_H
 
+#include "model/expression/surface_pattern.h"
 #include "model/light/finishes.h"
 #include "model/light/rough/rough_surface.h"
 
 struct pp_rough_finish {
-    struct pp_finish finish; /* its name, and its reflectance for diffuse light */
+    struct pp_finish finish; /* its name, and its reflectance for diffuse light, where
+                              * the pattern is 1 */
+    bool is_matt;            /* only the optics' `diffuse` of the surface is set */
     struct pp_rough_surface surface;
+    bool has_pattern;
+    struct pp_surface_pattern pattern; /* factor of the optics' `diffuse` */
     int line;
 };
 
 struct pp_rough_finishes;
 
-/* Adds a material; the list is made if *list is NULL. */
+/* Adds a material; the list is made if *list is NULL. optics: with a roughness of 0,
+ * the material is matt, with the reflectance `diffuse`. pattern: NULL: none. */
 enum pp_status pp_rough_finishes_add(struct pp_rough_finishes **list, const char *name,
-                                     const struct pp_rough_optics *optics, int line,
+                                     const struct pp_rough_optics *optics,
+                                     const struct pp_surface_pattern *pattern, int line,
                                      struct pp_error *err);
 
 /* A NULL list has no materials. */
@@ -30,7 +37,15 @@ const struct pp_rough_finish *pp_rough_finishes_at(const struct pp_rough_finishe
 const struct pp_rough_finish *pp_rough_finishes_find(
     const struct pp_rough_finishes *list, const char *name); /* NULL: none */
 
-/* The surface of a finish; NULL if the finish is not in the list. */
+/* Number of materials that are not matt. */
+int pp_rough_finishes_rough_count(const struct pp_rough_finishes *list);
+
+/* The material with a pattern of which this is the finish; NULL if the finish has no
+ * pattern or is not in the list. */
+const struct pp_rough_finish *pp_rough_finishes_patterned(
+    const struct pp_rough_finishes *list, const struct pp_finish *finish);
+
+/* The surface of a finish; NULL if the finish is matt or not in the list. */
 const struct pp_rough_surface *pp_rough_finishes_surface(
     const struct pp_rough_finishes *list, const struct pp_finish *finish);
 

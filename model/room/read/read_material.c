@@ -30,6 +30,48 @@ static bool material_is_possible(struct pp_reader *r,
     return !other && !steep;
 }
 
+/* Returns false, with a report, for a material that has some but not all attributes of
+ * a rough surface, or is matt without a reflectance. */
+static bool material_is_whole(struct pp_reader *r, const struct pp_material_form *form,
+                              int line)
+{
+    bool n = form->n[0] > 0.0, roughness = form->roughness_um > 0.0,
+         length = form->correlation_um > 0.0;
+    if (n && roughness && length)
+        return true;
+    if (n || roughness || length || form->k[0] > 0.0 || form->wavelength_um[0] > 0.0) {
+        pp_mistakes_add(r->mistakes, line,
+                        "material: %s is missing; expected n, roughness and "
+                        "correlation-length, or only diffuse for a matt surface",
+                        !n           ? "n"
+                        : !roughness ? "roughness"
+                                     : "correlation-length");
+        return false;
+    }
+    bool black =
+        form->diffuse[0] == 0.0 && form->diffuse[1] == 0.0 && form->diffuse[2] == 0.0;
+    if (black)
+        pp_mistakes_add(r->mistakes, line,
+                        "material: n, roughness and correlation-length are missing, "
+                        "and diffuse is missing or 0; expected the three of a rough "
+                        "surface, or the reflectance diffuse of a matt surface");
+    return !black;
+}
+
+/* Parses the pattern; returns false, with a report, if it is not valid. */
+static bool read_pattern(struct pp_reader *r, struct pp_surface_pattern *pattern,
+                         const char *text, int line)
+{
+    struct pp_expression_mistake mistake;
+    char shown[160];
+    bool good = pp_surface_pattern_parse(pattern, text, &mistake);
+    if (!good)
+        pp_mistakes_add(r->mistakes, line, "material: pattern \"%s\", column %d: %s",
+                        pp_text_excerpt(shown, sizeof shown, text), mistake.column + 1,
+                        mistake.what);
+    return good;
+}
+
 /* Wavelengths of red, green and blue if a material gives none. */
 static const double usual_um[3] = {0.65, 0.55, 0.45};
 
@@ -45,7 +87,8 @@ static void add_stand_in(struct pp_reader *r, const struct pp_xml_element *e)
         const struct pp_xml_attribute *a = &e->attributes[i];
         if (strcmp(a->name, "name") == 0 && a->value[0]
             && !pp_rough_finishes_find(r->materials, a->value)
-            && pp_rough_finishes_add(&r->materials, a->value, &glassy, e->line, NULL)
+            && pp_rough_finishes_add(&r->materials, a->value, &glassy, NULL, e->line,
+                                     NULL)
                    != PP_OK)
             r->out_of_memory = true;
     }
@@ -54,6 +97,7 @@ static void add_stand_in(struct pp_reader *r, const struct pp_xml_element *e)
 static void read_material(struct pp_reader *r, const struct pp_xml_element *e)
 {
     struct pp_material_form form;
+    struct pp_surface_pattern pattern;
     if (pp_rough_finishes_count(r->materials) >= PP_ROOM_MATERIALS_MOST) {
         pp_mistakes_add(r->mistakes, e->line,
                         "material: the file has more than %d materials; expected at "
@@ -62,7 +106,9 @@ static void read_material(struct pp_reader *r, const struct pp_xml_element *e)
         return;
     }
     if (!pp_reader_fill_form(r, &form, &pp_rule_material, e)
-        || !material_is_possible(r, &form, e->line)) {
+        || !material_is_whole(r, &form, e->line)
+        || !material_is_possible(r, &form, e->line)
+        || (form.pattern && !read_pattern(r, &pattern, form.pattern, e->line))) {
         add_stand_in(r, e);
         return;
     }
@@ -76,7 +122,8 @@ static void read_material(struct pp_reader *r, const struct pp_xml_element *e)
         optics.wavelength[c] =
             form.wavelength_um[c] > 0.0 ? form.wavelength_um[c] : usual_um[c];
     }
-    if (pp_rough_finishes_add(&r->materials, form.name, &optics, e->line, NULL)
+    if (pp_rough_finishes_add(&r->materials, form.name, &optics,
+                              form.pattern ? &pattern : NULL, e->line, NULL)
         != PP_OK)
         r->out_of_memory = true;
 }

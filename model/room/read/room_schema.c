@@ -60,13 +60,14 @@ LEAF(finish, "finish", finish_rows);
 
 static const struct pp_attribute_rule material_rows[] = {
     {"name", &pp_room_values_face_name, REQUIRED, IN(material, name)},
-    {"n", &pp_room_values_refractive_index, REQUIRED, IN(material, n)},
+    {"n", &pp_room_values_refractive_index, OR(0), IN(material, n)},
     {"k", &pp_room_values_extinction, OR(0), IN(material, k)},
-    {"roughness", &pp_room_values_roughness, REQUIRED, IN(material, roughness_um)},
-    {"correlation-length", &pp_room_values_correlation, REQUIRED,
+    {"roughness", &pp_room_values_roughness, OR(0), IN(material, roughness_um)},
+    {"correlation-length", &pp_room_values_correlation, OR(0),
      IN(material, correlation_um)},
     {"diffuse", &pp_room_values_diffuse, OR(0), IN(material, diffuse)},
     {"wavelength", &pp_room_values_wavelength, OR(0), IN(material, wavelength_um)},
+    {"pattern", &pp_room_values_pattern, OR(NAN), IN(material, pattern)},
 };
 LEAF(material, "material", material_rows);
 
@@ -105,7 +106,7 @@ static const struct pp_attribute_rule overhang_rows[] = {
     {"above", &pp_room_values_depth, OR(0), IN(shade, above_m)},
     {"left", &pp_room_values_depth, OR(0), IN(shade, left_m)},
     {"right", &pp_room_values_depth, OR(0), IN(shade, right_m)},
-    {"reflectance", &pp_room_values_reflectance, OR(0.2), IN(shade, finish)},
+    {"reflectance", &pp_room_values_even_reflectance, OR(0.2), IN(shade, finish)},
 };
 LEAF(overhang, "overhang", overhang_rows);
 static const struct pp_attribute_rule fin_rows[] = {
@@ -114,7 +115,7 @@ static const struct pp_attribute_rule fin_rows[] = {
     {"gap", &pp_room_values_depth, OR(0), IN(shade, left_m)},
     {"above", &pp_room_values_depth, OR(0), IN(shade, above_m)},
     {"below", &pp_room_values_depth, OR(0), IN(shade, below_m)},
-    {"reflectance", &pp_room_values_reflectance, OR(0.2), IN(shade, finish)},
+    {"reflectance", &pp_room_values_even_reflectance, OR(0.2), IN(shade, finish)},
 };
 LEAF(fin, "fin", fin_rows);
 static const struct pp_attribute_rule balcony_rows[] = {
@@ -123,7 +124,7 @@ static const struct pp_attribute_rule balcony_rows[] = {
     {"right", &pp_room_values_depth, OR(0), IN(shade, right_m)},
     {"level", &pp_room_values_coordinate, OR(0), IN(shade, height_m)},
     {"parapet", &pp_room_values_depth, OR(1.1), IN(shade, parapet_m)},
-    {"reflectance", &pp_room_values_reflectance, OR(0.2), IN(shade, finish)},
+    {"reflectance", &pp_room_values_even_reflectance, OR(0.2), IN(shade, finish)},
 };
 LEAF(balcony, "balcony", balcony_rows);
 static const struct pp_attribute_rule shelf_rows[] = {
@@ -132,7 +133,7 @@ static const struct pp_attribute_rule shelf_rows[] = {
     {"inside", &pp_room_values_depth, OR(0), IN(shade, inside_m)},
     {"left", &pp_room_values_depth, OR(0), IN(shade, left_m)},
     {"right", &pp_room_values_depth, OR(0), IN(shade, right_m)},
-    {"reflectance", &pp_room_values_reflectance, OR(0.7), IN(shade, finish)},
+    {"reflectance", &pp_room_values_even_reflectance, OR(0.7), IN(shade, finish)},
 };
 LEAF(shelf, "shelf", shelf_rows);
 static const struct pp_attribute_rule blind_rows[] = {
@@ -141,15 +142,15 @@ static const struct pp_attribute_rule blind_rows[] = {
     {"angle", &pp_room_values_slat_angle, OR(NAN), IN(blind, angle_rad)},
     {"cut-off", &pp_room_values_yes_no, OR(0), IN(blind, cut_off)},
     {"curvature", &pp_room_values_coordinate, OR(0), IN(blind, curvature_m)},
-    {"reflectance", &pp_room_values_reflectance, OR(0.5), IN(blind, upper)},
-    {"reflectance-below", &pp_room_values_reflectance, OR(NAN), IN(blind, lower)},
+    {"reflectance", &pp_room_values_even_reflectance, OR(0.5), IN(blind, upper)},
+    {"reflectance-below", &pp_room_values_even_reflectance, OR(NAN), IN(blind, lower)},
     {"direction", &pp_room_values_slat_direction, OR(0), IN(blind, direction)},
     {"position", &pp_room_values_device_position, OR(0), IN(blind, position)},
 };
 LEAF(blind, "blind", blind_rows);
 static const struct pp_attribute_rule screen_rows[] = {
     {"openness", &pp_room_values_fraction, REQUIRED, IN(screen, openness)},
-    {"reflectance", &pp_room_values_reflectance, OR(0.5), IN(screen, finish)},
+    {"reflectance", &pp_room_values_even_reflectance, OR(0.5), IN(screen, finish)},
 };
 LEAF(screen, "screen", screen_rows);
 static const struct pp_attribute_rule curtain_rows[] = {

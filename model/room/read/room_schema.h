@@ -42,6 +42,7 @@ struct pp_value_kind {
     const char *const *words; /* words of a choice; NULL-terminated */
     const struct pp_named_factors *factors;
     const char *expected_mm; /* lengths: `expected` for a file in millimetres */
+    bool without_pattern;    /* PP_VALUE_REFLECTANCE: materials have no pattern */
 };
 
 struct pp_attribute_rule {
@@ -179,11 +180,13 @@ struct pp_finish_form {
     struct pp_finish_value finish;
 };
 
-/* A physically rough material; index of a channel: red, green, blue. */
+/* A material; index of a channel: red, green, blue. Matt: n, roughness and correlation
+ * are 0. */
 struct pp_material_form {
     const char *name;
     double n[3], k[3], wavelength_um[3], diffuse[3];
     double roughness_um, correlation_um;
+    const char *pattern; /* NULL: none */
 };
 
 /* A window, a rooflight or an opening. */

@@ -8,7 +8,7 @@ static const struct pp_attribute_rule site_rows[] = {
     {"country", &pp_room_values_country, OR(NAN), IN(site, country)},
     {"surroundings", &pp_room_values_surroundings, OR(0), IN(site, surroundings)},
     {"work", &pp_room_values_work, OR(-1), IN(site, work)},
-    {"ground-reflectance", &pp_room_values_reflectance, OR(0.2), IN(site, ground)},
+    {"ground-reflectance", &pp_room_values_even_reflectance, OR(0.2), IN(site, ground)},
     {"ground-level", &pp_room_values_coordinate, OR(0), IN(site, ground_level_m)},
     {"ground", &pp_room_values_ground_kind, OR(0), IN(site, ground_is_open)},
     {"dirt", &pp_room_values_dirt_edition, OR(0), IN(site, dirt)},
@@ -63,7 +63,7 @@ static const struct pp_attribute_rule skyline_rows[] = {
     {"wall", &pp_room_values_wall_name, REQUIRED, IN(skyline, wall)},
     {"angle", &pp_room_values_skyline_angle, REQUIRED, IN(skyline, angle_rad)},
     {"distance", &pp_room_values_size, OR(INFINITY), IN(skyline, distance_m)},
-    {"reflectance", &pp_room_values_reflectance, OR(0.2), IN(skyline, finish)},
+    {"reflectance", &pp_room_values_even_reflectance, OR(0.2), IN(skyline, finish)},
     {"state", &pp_room_values_state, OR(0), IN(skyline, state)},
 };
 LEAF(skyline, "skyline", skyline_rows);
@@ -76,7 +76,7 @@ static const struct pp_attribute_rule facade_rows[] = {
     {"down", &pp_room_values_depth, OR(0), IN(facade, down_m)},
     {"depth", &pp_room_values_depth, OR(NAN),
      IN(facade, depth_m)}, /* default: largest reveal */
-    {"reflectance", &pp_room_values_reflectance, OR(0.2), IN(facade, finish)},
+    {"reflectance", &pp_room_values_even_reflectance, OR(0.2), IN(facade, finish)},
 };
 LEAF(facade, "facade", facade_rows);
 
@@ -89,7 +89,7 @@ static const struct pp_attribute_rule block_rows[] = {
      IN(block, base)}, /* default: ground level */
     {"height", &pp_room_values_size, REQUIRED, IN(block, height_m)},
     {"rotate", &pp_room_values_bearing, OR(0), IN(block, rotate_rad)},
-    {"reflectance", &pp_room_values_reflectance, OR(0.2), IN(block, finish)},
+    {"reflectance", &pp_room_values_even_reflectance, OR(0.2), IN(block, finish)},
     {"name", &pp_room_values_text, OR(NAN), IN(block, name)},
     {"state", &pp_room_values_state, OR(0), IN(block, state)},
     {"roof", &pp_room_values_roof, OR(0), IN(block, roof)},
@@ -103,7 +103,7 @@ static const struct pp_attribute_rule footprint_rows[] = {
     {"base", &pp_room_values_coordinate, OR(NAN), IN(block, base)},
     {"height", &pp_room_values_size, REQUIRED, IN(block, height_m)},
     {"rotate", &pp_room_values_bearing, OR(0), IN(block, rotate_rad)},
-    {"reflectance", &pp_room_values_reflectance, OR(0.2), IN(block, finish)},
+    {"reflectance", &pp_room_values_even_reflectance, OR(0.2), IN(block, finish)},
     {"name", &pp_room_values_text, OR(NAN), IN(block, name)},
     {"state", &pp_room_values_state, OR(0), IN(block, state)},
 };
@@ -138,7 +138,7 @@ static const struct pp_attribute_rule mesh_rows[] = {
     {"z", &pp_room_values_coordinate, OR(0), IN(mesh, z)},
     {"rotate", &pp_room_values_bearing, OR(0), IN(mesh, rotate_rad)},
     {"up", &pp_room_values_up, OR(0), IN(mesh, up)},
-    {"reflectance", &pp_room_values_reflectance, OR(0.2), IN(mesh, finish)},
+    {"reflectance", &pp_room_values_even_reflectance, OR(0.2), IN(mesh, finish)},
     {"name", &pp_room_values_text, OR(NAN), IN(mesh, name)},
     {"state", &pp_room_values_state, OR(0), IN(mesh, state)},
 };
@@ -157,7 +157,7 @@ static const struct pp_attribute_rule outline_rows[] = {
     {"y", &pp_room_values_coordinate, REQUIRED, IN(outline, y)},
     {"z", &pp_room_values_coordinate, REQUIRED, IN(outline, z)},
     {"distance", &pp_room_values_size, REQUIRED, IN(outline, distance_m)},
-    {"reflectance", &pp_room_values_reflectance, OR(0.2), IN(outline, finish)},
+    {"reflectance", &pp_room_values_even_reflectance, OR(0.2), IN(outline, finish)},
     {"name", &pp_room_values_text, OR(NAN), IN(outline, name)},
     {"state", &pp_room_values_state, OR(0), IN(outline, state)},
 };

@@ -82,6 +82,13 @@ const struct pp_value_kind pp_room_values_position = {
 const struct pp_value_kind pp_room_values_reflectance = {
     PP_VALUE_REFLECTANCE, "a fraction from 0 to 1 or a named finish", 0.0, 1.0,
     .unit = 1.0};
+const struct pp_value_kind pp_room_values_even_reflectance = {
+    PP_VALUE_REFLECTANCE,
+    "a fraction from 0 to 1 or a named finish",
+    0.0,
+    1.0,
+    .unit = 1.0,
+    .without_pattern = true};
 const struct pp_value_kind pp_room_values_or_auto = {
     PP_VALUE_AUTO, "a fraction from 0 to 1 or \"auto\"", 0.0, 1.0, .unit = 1.0};
 const struct pp_value_kind pp_room_values_frame = {
@@ -233,3 +240,6 @@ const struct pp_value_kind pp_room_values_correlation = {
 const struct pp_value_kind pp_room_values_diffuse = {
     PP_VALUE_TRIPLE, "one fraction from 0 to 0.95, or three for red, green and blue",
     0.0, 0.95, .unit = 1.0};
+const struct pp_value_kind pp_room_values_pattern = {
+    .reading = PP_VALUE_NAME,
+    .expected = "a formula of x, y and z, of at most 200 characters"};

@@ -23,7 +23,9 @@ extern const struct pp_value_kind pp_room_values_coordinate, pp_room_values_size
     pp_room_values_extinction, pp_room_values_wavelength, pp_room_values_roughness,
     pp_room_values_correlation, pp_room_values_diffuse, pp_room_values_month,
     pp_room_values_text, pp_room_values_wall_name, pp_room_values_face_name,
-    pp_room_values_file_name;
+    pp_room_values_file_name, pp_room_values_pattern;
+/* Reflectance of a surface that cannot have a pattern. */
+extern const struct pp_value_kind pp_room_values_even_reflectance;
 extern const struct pp_value_kind pp_room_values_peak; /* peak of a glazing-file */
 
 #endif

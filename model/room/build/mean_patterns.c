@@ -1,0 +1,173 @@
+/* mean_patterns.c - means of patterns over the visible part of surfaces.
+ *
+ * The points are a Fibonacci lattice over the bounding rectangle of the surface: point
+ * i of F(n) is at i / F(n) along one side, and at the fraction of i F(n-1) / F(n) along
+ * the other. The mean of a chequer is then correct to 0.0005, whatever its period, if
+ * its squares are not smaller than a hundredth of the surface.
+ */
+#include "model/room/build/mean_patterns.h"
+
+#include <math.h>
+
+#include "model/light/rough/rough_finishes.h"
+#include "model/room/face_frame.h"
+
+enum { POINTS = 75025, TURNS = 46368 }; /* Fibonacci numbers 25 and 24 */
+
+/* Sums over the points of a surface. */
+struct pattern_points {
+    double mean; /* updated point by point: a constant remains exact */
+    int count;
+    double low, high; /* least and greatest value, or NAN, and its place */
+    struct pp_vec3 low_at, high_at;
+    const char *fault; /* why the formula has no value at fault_at; NULL: it has */
+    struct pp_vec3 fault_at;
+};
+
+static void add_pattern_point(struct pattern_points *points,
+                              const struct pp_surface_pattern *pattern,
+                              struct pp_vec3 at)
+{
+    struct pp_expression_fault fault;
+    double value = pp_surface_pattern_at(pattern, at, &fault);
+    if (fault.what && !points->fault) {
+        points->fault = fault.what;
+        points->fault_at = at;
+    }
+    points->mean += (value - points->mean) / ++points->count;
+    if (value < points->low) {
+        points->low = value;
+        points->low_at = at;
+    }
+    if (value > points->high) {
+        points->high = value;
+        points->high_at = at;
+    }
+}
+
+/* True if an opening, a door or a dado covers the point of the surface. */
+static bool is_covered(const struct pp_world *world, int face, struct pp_vec3 point)
+{
+    for (int i = 0; i < world->opening_count; i++)
+        if (world->openings[i].face == face
+            && pp_polygon_side(&world->openings[i].inner, point, 0.0) != PP_OUTSIDE)
+            return true;
+    for (int i = 0; i < world->surface_count; i++)
+        if (world->surfaces[i].role == PP_COVER && world->surfaces[i].owner == face
+            && pp_polygon_side(&world->surfaces[i].outline, point, 0.0) != PP_OUTSIDE)
+            return true;
+    return false;
+}
+
+static enum pp_status sample_pattern(struct pattern_points *points,
+                                     const struct pp_world *world, int index,
+                                     const struct pp_surface_pattern *pattern,
+                                     struct pp_error *err)
+{
+    struct pp_face_frame frame;
+    enum pp_status status = pp_face_frame_init(&frame, &world->surfaces[index], err);
+    *points = (struct pattern_points){.low = INFINITY, .high = -INFINITY};
+    bool face = index < world->face_count;
+    for (int i = 0; i < POINTS && status == PP_OK; i++) {
+        const struct pp_bounds2 *box = &frame.bounds;
+        double u = (i + 0.5) / POINTS,
+               v = fmod((i + 0.5) * (double)TURNS, POINTS) / POINTS,
+               x = box->low[0] + u * (box->high[0] - box->low[0]),
+               y = box->low[1] + v * (box->high[1] - box->low[1]);
+        struct pp_vec3 at = pp_face_frame_point(&frame, x, y);
+        if (pp_polygon_ring_side((const double(*)[2])frame.xy, frame.count, x, y, 0.0)
+                != PP_OUTSIDE
+            && !(face && is_covered(world, index, at)))
+            add_pattern_point(points, pattern, at);
+    }
+    if (status == PP_OK)
+        pp_face_frame_clear(&frame);
+    return status;
+}
+
+/* Reports a value of a material at a point. */
+static bool report_value(struct pp_mistakes *mistakes,
+                         const struct pp_rough_finish *material, struct pp_vec3 at,
+                         double reflectance)
+{
+    pp_mistakes_add(mistakes, material->line,
+                    "material: the pattern of \"%.60s\" gives a reflectance of %.3g at "
+                    "the point %.3f %.3f %.3f; expected 0 to 1 on all its surfaces",
+                    material->finish.name, reflectance, at.x, at.y, at.z);
+    return false;
+}
+
+/* True if all values are valid; reports the first that is not. */
+static bool check_pattern_points(struct pp_mistakes *mistakes,
+                                 const struct pp_rough_finish *material,
+                                 const struct pattern_points *points)
+{
+    struct pp_rgb base = material->surface.optics.diffuse;
+    double most = fmax(base.r, fmax(base.g, base.b));
+    /* The gloss in a channel: 0 of a matt surface. */
+    double gloss =
+        fmax(material->surface.reflectance[0],
+             fmax(material->surface.reflectance[1], material->surface.reflectance[2]));
+    if (points->fault) {
+        pp_mistakes_add(mistakes, material->line,
+                        "material: the pattern of \"%.60s\" %s at the point "
+                        "%.3f %.3f %.3f; expected a value on all its surfaces",
+                        material->finish.name, points->fault, points->fault_at.x,
+                        points->fault_at.y, points->fault_at.z);
+        return false;
+    }
+    if (points->low < 0.0)
+        return report_value(mistakes, material, points->low_at, points->low * most);
+    if (points->high * most + gloss > 1.0 + 1e-9)
+        return report_value(mistakes, material, points->high_at,
+                            points->high * most + gloss);
+    return true;
+}
+
+/* Sets the mean reflectance of a surface. */
+static enum pp_status set_mean(struct pp_resolver *r, int index,
+                               const struct pp_rough_finish *material,
+                               struct pp_error *err)
+{
+    struct pp_surface *surface = &r->world->surfaces[index];
+    struct pattern_points points;
+    enum pp_status status =
+        sample_pattern(&points, r->world, index, &material->pattern, err);
+    if (status != PP_OK || points.count == 0
+        || !check_pattern_points(r->mistakes, material, &points))
+        return status;
+    double whole = material->finish.reflectance,
+           diffuse = pp_rgb_luminance(material->surface.optics.diffuse),
+           mean = material->is_matt ? whole * points.mean
+                                    : whole - diffuse * (1.0 - points.mean);
+    surface->pattern_mean = points.mean;
+    if (surface->back == surface->front && index >= r->world->face_count)
+        surface->back = mean;
+    surface->front = mean;
+    return PP_OK;
+}
+
+enum pp_status pp_build_mean_patterns(struct pp_resolver *r, struct pp_error *err)
+{
+    const struct pp_world *world = r->world;
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < world->surface_count && status == PP_OK; i++) {
+        const struct pp_surface *surface = &world->surfaces[i];
+        const struct pp_rough_finish *material =
+            pp_rough_finishes_patterned(world->materials, surface->finish);
+        /* A study that assumes another reflectance has no pattern. */
+        if (!material || surface->front != material->finish.reflectance)
+            continue;
+        int before = r->mistakes->count;
+        if (surface->inside)
+            status = set_mean(r, i, material, err);
+        else
+            pp_mistakes_add(r->mistakes, surface->line,
+                            "surface: the material \"%.60s\" has a pattern; expected "
+                            "one without a pattern outside the room",
+                            material->finish.name);
+        if (r->mistakes->count > before)
+            break;
+    }
+    return status;
+}
