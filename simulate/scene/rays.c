@@ -26,6 +26,7 @@ struct pp_rays {
     struct pp_shape *rounds;
     unsigned round_geometry; /* Embree's id of the round shapes */
     int triangle_count;
+    float low[3], high[3]; /* bounds of all shapes; low > high if there are none */
 };
 
 /* Converts Embree's last error. */
@@ -158,6 +159,12 @@ enum pp_status pp_rays_create(struct pp_rays **result, const float (*triangles)[
         status = pp_fail_memory(err);
         goto failed;
     }
+    struct RTCBounds bounds;
+    rtcGetSceneBounds(rays->scene, &bounds);
+    const float low[] = {bounds.lower_x, bounds.lower_y, bounds.lower_z};
+    const float high[] = {bounds.upper_x, bounds.upper_y, bounds.upper_z};
+    memcpy(rays->low, low, sizeof low);
+    memcpy(rays->high, high, sizeof high);
     *result = rays;
     return PP_OK;
 failed:
@@ -177,9 +184,23 @@ void pp_rays_destroy(struct pp_rays *rays)
     free(rays);
 }
 
+/* True if the ray starts beyond a side of the bounds and does not lead back. Most rays
+ * from the ground to the sun do so; this test takes less time than the ray kernels. */
+static bool leads_away(const struct pp_rays *rays, const float origin[3],
+                       const float direction[3])
+{
+    for (int k = 0; k < 3; k++)
+        if ((origin[k] > rays->high[k] && direction[k] >= 0.0f)
+            || (origin[k] < rays->low[k] && direction[k] <= 0.0f))
+            return true;
+    return false;
+}
+
 int pp_rays_first(const struct pp_rays *rays, const float origin[3],
                   const float direction[3], float *distance)
 {
+    if (leads_away(rays, origin, direction))
+        return -1;
     struct RTCRayHit query = {
         .ray = {.org_x = origin[0],
                 .org_y = origin[1],
