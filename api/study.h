@@ -23,6 +23,7 @@ struct pp_study {
                                        * grid */
     struct pp_assessment assessment;
     bool has_assessment;
+    bool has_plan_without_average; /* pp_study_plan leaves out the average */
 };
 
 /* Replaces the report by an empty report for the present room and points. */

@@ -36,6 +36,11 @@ enum pp_status pp_study_scene(const struct pp_study *study, char **bytes,
                           bytes, length, err);
 }
 
+void pp_study_plan_without_average(struct pp_study *study, bool without)
+{
+    study->has_plan_without_average = without;
+}
+
 enum pp_status pp_study_plan(const struct pp_study *study, const char *methods,
                              double tolerance, char **bytes, size_t *length,
                              struct pp_error *err)
@@ -46,6 +51,7 @@ enum pp_status pp_study_plan(const struct pp_study *study, const char *methods,
     *length = 0;
     options.methods = methods;
     options.method_options.stop = study->options.method_options.stop;
+    options.method_options.points_only = study->has_plan_without_average;
     if (!(tolerance > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
                        "the tolerance is %g m; expected a length above 0", tolerance);

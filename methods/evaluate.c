@@ -138,6 +138,9 @@ static enum pp_status answer_all(const struct pp_method_run *run,
     enum pp_status status = PP_OK;
     if (!by_point || run->method->has_average)
         status = pp_method_run_answer(run, NULL, average, err);
+    else if (report->options && report->options->points_only
+             && run->method->gives == PP_GIVES_DIRECT)
+        average->why = "an average over the working plane was not requested";
     else if (!found_average(run, report, average))
         status = pp_method_run_average(run, average, err);
     if (status != PP_OK)

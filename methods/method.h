@@ -65,8 +65,9 @@ struct pp_part {
 struct pp_method_options {
     const struct pp_lumen_table *lumen_table; /* not owned; NULL: the program's own */
     const struct pp_variant_list
-        *variants; /* not owned; NULL: no formula is replaced */
-    bool plain;    /* true: no tables, beams and other short cuts (methods/fast/) */
+        *variants;    /* not owned; NULL: no formula is replaced */
+    bool plain;       /* true: no tables, beams and other short cuts (methods/fast/) */
+    bool points_only; /* true: direct methods have no average over the working plane */
     struct pp_stop stop;
 };
 

@@ -94,13 +94,14 @@ static void answer_plan(struct pp_task *task, const char *scene, const char *pla
 
 bool pp_answer_study_plan(struct pp_task *task)
 {
-    static const char *const names[] = {"methods", "tolerance", "points",
+    static const char *const names[] = {"methods", "tolerance", "average", "points",
                                         "sky",     "room",      NULL};
     struct pp_asked_room asked = {0};
-    struct json_object *methods;
+    struct json_object *methods, *average;
     double tolerance;
     if (!pp_asked_room_options(task, names)
         || !pp_asked_room_option(&methods, task, "methods", json_type_string)
+        || !pp_asked_room_option(&average, task, "average", json_type_boolean)
         || !pp_asked_room_number(&tolerance, task, "tolerance", 0.01, 0.001, 1.0))
         return true;
     if (pp_asked_room_open(&asked, task)) {
@@ -108,6 +109,8 @@ bool pp_answer_study_plan(struct pp_task *task)
         char *scene = NULL, *plan = NULL;
         size_t length;
         enum pp_status status = pp_study_scene(asked.study, &scene, &length, &err);
+        pp_study_plan_without_average(asked.study,
+                                      average && !json_object_get_boolean(average));
         if (status == PP_OK)
             status = pp_study_plan(asked.study, json_object_get_string(methods),
                                    tolerance, &plan, &length, &err);

@@ -33,7 +33,7 @@ function optionsOf(more = {}) {
 async function updateOnce() {
     const { variant, text, roomName, method } = board, from = performance.now();
     const tolerance = board.isHeld ? COARSE : FINE;
-    const answer = await engine.plan(text, optionsOf({ tolerance, ...(method ? { methods: method } : {}) }));
+    const answer = await engine.plan(text, optionsOf({ tolerance, average: false, ...(method ? { methods: method } : {}) }));
     const got = performance.now();
     board.cut = chooseCut(answer.scene);
     variant.drawn = { text, room: roomName, method, scene: answer.scene, plan: answer.plan };
@@ -78,7 +78,7 @@ async function askOther() {
     const other = board.variants[1 - board.active], { text } = other ?? {}, room = board.roomName;
     const { method } = board, drawn = other?.drawn;
     if (!other || (drawn?.text === text && drawn.room === room && drawn.method === method)) return;
-    const answer = await engine.plan(text, optionsOf({ tolerance: FINE, ...(method ? { methods: method } : {}) })).catch(() => null);
+    const answer = await engine.plan(text, optionsOf({ tolerance: FINE, average: false, ...(method ? { methods: method } : {}) })).catch(() => null);
     other.drawn = { text, room, method, scene: answer?.scene, plan: answer?.plan };
     board.tell('other');
 }

@@ -119,7 +119,7 @@ function speak() {
 export function setUpResults(about) {
     methods = about.methods;
     board.on('results', (event) => {
-        drawMistakes();
+        if ('error' in event.detail) drawMistakes();
         if ('df' in event.detail || 'trace' in event.detail) drawAverages();
         if ('plan' in event.detail || 'error' in event.detail) drawPlanFigures();
         if ('trace' in event.detail || 'df' in event.detail || 'scene' in event.detail || 'traceError' in event.detail) drawTrace();

@@ -153,6 +153,32 @@ static void contours_lie_where_the_closed_form_has_their_level(void **state)
     close_drawn(&drawn);
 }
 
+/* The average is the only difference; with it left out, averages of pp_study_methods stay. */
+static void a_plan_without_average_has_the_same_lines(void **state)
+{
+    (void)state;
+    struct drawn drawn = open_drawn();
+    char *bytes, *same;
+    size_t length;
+    assert_int_equal(
+        pp_study_plan(drawn.study, "exact+bre", 0.01, &bytes, &length, NULL), PP_OK);
+    pp_study_plan_without_average(drawn.study, true);
+    assert_int_equal(
+        pp_study_plan(drawn.study, "exact+bre", 0.01, &same, &length, NULL), PP_OK);
+    struct json_object *with = parsed(bytes), *without = parsed(same);
+    assert_true(number(with, "average") > 0.0);
+    assert_null(get(without, "average"));
+    json_object_object_del(with, "average");
+    json_object_object_del(without, "average");
+    assert_true(json_object_equal(with, without));
+    json_object_put(with);
+    json_object_put(without);
+    assert_int_equal(pp_study_methods(drawn.study, "exact+bre", false, NULL), PP_OK);
+    int column = pp_study_find(drawn.study, PP_DF, "exact+bre");
+    assert_true(pp_study_reading(drawn.study, column, -1).value > 0.0);
+    close_drawn(&drawn);
+}
+
 static void a_plan_of_a_method_without_contours_is_refused(void **state)
 {
     (void)state;
@@ -173,6 +199,7 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(scene_has_the_opening_where_the_elevation_has_it),
         cmocka_unit_test(contours_lie_where_the_closed_form_has_their_level),
+        cmocka_unit_test(a_plan_without_average_has_the_same_lines),
         cmocka_unit_test(a_plan_of_a_method_without_contours_is_refused),
     };
     add_tests(tests, NULL, NULL);

@@ -172,7 +172,7 @@ check('and its field is marked', await until(() => document.getElementById('valu
 await page.evaluate(() => window.pepperpot.board.select(-1));
 await page.evaluate(() => window.pepperpot.board.change(window.pepperpot.board.text.replace('sill="high"', 'sill="higher"'), { from: 'text' }));
 check('a button leads to the part with the mistake', await until(() => document.querySelector('#status button')));
-await page.click('#status button');
+await page.evaluate(() => document.querySelector('#status button').click());
 check('which is the window', (await page.evaluate(() => window.pepperpot.board.element?.name)) === 'window');
 await page.click('#undo');
 await tab('text');

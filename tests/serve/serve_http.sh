@@ -33,6 +33,10 @@ asks "$deep" '{"tolerance":0.05}'
 check "plan answers" answers 200 plan
 check "with contours" holds '"format": "pepperpot-plan-1"'
 check "and the geometry" holds '"format": "pepperpot-scene-1"'
+check "and the average" holds '"average": [0-9]'
+asks "$deep" '{"tolerance":0.1,"average":false}'
+check "without the average the plan answers, too" answers 200 plan
+check "and has none" holds '"average": null'
 for command in assess size availability chart/section report; do
     case $command in
     size) asks "$deep" '{"target":"2%","by-hand":true}' ;;
