@@ -195,11 +195,12 @@ struct pp_fitting {
     double low_m, high_m; /* z of underside and top */
 };
 
-/* Mesh outside the room. Its triangles are consecutive surfaces, after all others. */
+/* Mesh or outline outside the room. Its triangles are consecutive surfaces, after all others. */
 struct pp_world_mesh {
     char *name; /* NULL: no name */
     struct pp_bounds3 bounds;
     int first_side, side_count; /* indices of surfaces */
+    bool is_outline;            /* from an <outline> */
     int line;
 };
 

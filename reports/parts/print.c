@@ -290,6 +290,27 @@ static void tell_openings(const struct pp_world *world, const struct listener *l
         tell(listener, "openings", "none");
 }
 
+/* Appends the number of meshes, or of outlines, and of their triangles, which is
+ * returned. */
+static int append_meshes(const struct pp_world *world, bool outlines,
+                         char text[TEXT_BYTES])
+{
+    int count = 0, triangles = 0;
+    for (int i = 0; i < world->mesh_count; i++)
+        if (world->meshes[i].is_outline == outlines) {
+            count++;
+            triangles += world->meshes[i].side_count;
+        }
+    if (count > 0)
+        pp_text_append(text, TEXT_BYTES, "; %d %s%s of %d triangle%s", count,
+                       outlines ? "outline" : "mesh",
+                       count == 1 ? ""
+                       : outlines ? "s"
+                                  : "es",
+                       triangles, triangles > 1 ? "s" : "");
+    return triangles;
+}
+
 static void tell_outside(const struct pp_world *world,
                          const struct pp_outside_light *light,
                          const struct listener *listener)
@@ -321,11 +342,8 @@ static void tell_outside(const struct pp_world *world,
     loose -= world->coarse_surface_count;
     if (loose > 0)
         pp_text_append(text, TEXT_BYTES, "; %d surface%s", loose, loose > 1 ? "s" : "");
-    int triangles = world->surface_count - pp_world_before_meshes(world);
-    if (triangles > 0)
-        pp_text_append(text, TEXT_BYTES, "; %d mesh%s of %d triangle%s",
-                       world->mesh_count, world->mesh_count > 1 ? "es" : "", triangles,
-                       triangles > 1 ? "s" : "");
+    int triangles =
+        append_meshes(world, false, text) + append_meshes(world, true, text);
     if (world->tree_count > 0)
         pp_text_append(text, TEXT_BYTES, "; %d tree%s%s", world->tree_count,
                        world->tree_count > 1 ? "s" : "",

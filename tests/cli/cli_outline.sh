@@ -57,6 +57,8 @@ check "and one seen from the window does" nothing "$(near "$(vsc level.xml)" 24.
 # A room whose +y points south has its window in the north, with the obstruction behind it.
 check "bearings are from true north" nothing "$(near "$(vsc turned.xml)" "$(vsc open.xml)" 1e-6)"
 
+check "df counts it as an outline" shows "; 1 outline of " \
+    df --methods exact "$scratch/up.xml"
 check "a simulation has the outline, too" \
     gives df -m exact -s --samples 256 --points 2,1 --format csv "$scratch/up.xml"
 awk -F, '$3 == "point" && $10 == "sc" { print $11, $12 }' "$scratch/out" >"$scratch/sky"

@@ -115,6 +115,7 @@ static enum pp_status add_mesh(struct pp_resolver *r, const struct pp_mesh_part 
     *made = (struct pp_world_mesh){.name = part->name ? strdup(part->name) : NULL,
                                    .bounds = pp_bounds3_empty(),
                                    .first_side = world->surface_count,
+                                   .is_outline = part->is_outline,
                                    .line = part->line};
     world->mesh_count++;
     if (part->name && !made->name)

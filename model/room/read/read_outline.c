@@ -143,7 +143,7 @@ static enum pp_status read_line(struct outline_state *outline, char *line, int n
 }
 
 enum pp_status pp_read_outline_parse(struct pp_mesh_triangles *mesh, const char *text,
-                                     const char *title,
+                                     size_t text_length, const char *title,
                                      const struct pp_sky_frame *frame,
                                      double distance_m, struct pp_error *err)
 {
@@ -151,6 +151,7 @@ enum pp_status pp_read_outline_parse(struct pp_mesh_triangles *mesh, const char 
         .mesh = mesh, .frame = frame, .distance_m = distance_m};
     enum pp_status status = PP_OK;
     struct pp_error fault;
+    const char *end = text + text_length;
     int number = 0;
     while (status == PP_OK && *text) {
         char line[LINE_MOST];
@@ -161,6 +162,9 @@ enum pp_status pp_read_outline_parse(struct pp_mesh_triangles *mesh, const char 
         status = read_line(&outline, line, number, &fault);
         text += length + (text[length] == '\n');
     }
+    if (status == PP_OK && text < end)
+        status = pp_fail(&fault, PP_BAD_INPUT,
+                         "there is a NUL byte; expected a list of points");
     if (status == PP_OK)
         status = end_outline(&outline, &fault);
     if (status == PP_OK && mesh->triangle_count == 0)
@@ -215,7 +219,8 @@ static enum pp_status read_points(struct pp_mesh_triangles *mesh, const char *pa
                          "%s: the file is larger than %d MB; expected a list of points",
                          path, FILE_BYTES_MOST >> 20);
     else
-        status = pp_read_outline_parse(mesh, text, path, frame, distance_m, err);
+        status = pp_read_outline_parse(mesh, text, (size_t)(bytes + length - text),
+                                       path, frame, distance_m, err);
     free(bytes);
     return status;
 }

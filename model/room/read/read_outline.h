@@ -20,12 +20,13 @@ void pp_read_outline(struct pp_reader *r, struct pp_room *room,
                      const struct pp_xml_element *e);
 
 /* Adds the outlines in a text to a mesh with its origin in the camera. The faces end at
- * z = 0. frame: the lens. title: name of the text in messages. PP_BAD_INPUT for a line
- * that is no pixel of the circle, for points 88 degrees or more above or below the
+ * z = 0. text: ends with a NUL, which text_length does not count. frame: the lens. title:
+ * name of the text in messages. PP_BAD_INPUT for another NUL, for a line that is no
+ * pixel of the circle, for points 88 degrees or more above or below the
  * horizon, for successive points more than 60 degrees of bearing apart, for an outline
  * of one point, and if no face is above the horizon. */
 enum pp_status pp_read_outline_parse(struct pp_mesh_triangles *mesh, const char *text,
-                                     const char *title,
+                                     size_t text_length, const char *title,
                                      const struct pp_sky_frame *frame,
                                      double distance_m, struct pp_error *err);
 

@@ -15,15 +15,19 @@ static const struct pp_sky_frame upwards = {.width = 2000,
                                             .up = {0.0, 1.0, 0.0},
                                             .toward = {0.0, 0.0, 1.0}};
 
+static enum pp_status parse(struct pp_mesh_triangles *mesh, const char *text,
+                            size_t length, struct pp_error *err)
+{
+    return pp_read_outline_parse(mesh, text, length, "a.csv", &upwards, 20.0, err);
+}
+
 /* East is 90 degrees clockwise from north: on the left of the picture. 400 pixels from
  * the centre is an altitude of 30 degrees. */
 static void a_point_on_the_left_is_in_the_east(void **state)
 {
     (void)state;
     struct pp_mesh_triangles mesh = {0};
-    assert_int_equal(pp_read_outline_parse(&mesh, "x,y\n600,700\n620,600\n", "a.csv",
-                                           &upwards, 20.0, NULL),
-                     PP_OK);
+    assert_int_equal(parse(&mesh, "x,y\n600,700\n620,600\n", 20, NULL), PP_OK);
     assert_int_equal(mesh.triangle_count, 2);
     assert_near(mesh.corners[3].x, 20.0, 1e-9);
     assert_near(mesh.corners[3].y, 0.0, 1e-9);
@@ -42,12 +46,10 @@ static void obstructions_end_at_the_horizon(void **state)
 {
     (void)state;
     struct pp_mesh_triangles mesh = {0};
-    assert_int_equal(pp_read_outline_parse(&mesh,
-                                           "400;700\r\n500;660\r\n\r\n"
-                                           "# another one\r\n1600;700\r\n"
-                                           "1300;660\r\n1300;740\r\n",
-                                           "a.csv", &upwards, 20.0, NULL),
-                     PP_OK);
+    static const char text[] = "400;700\r\n500;660\r\n\r\n"
+                               "# another one\r\n1600;700\r\n"
+                               "1300;660\r\n1300;740\r\n";
+    assert_int_equal(parse(&mesh, text, sizeof text - 1, NULL), PP_OK);
     assert_int_equal(mesh.triangle_count, 1 + 1 + 2);
     pp_mesh_triangles_clear(&mesh);
 }
@@ -70,13 +72,24 @@ static void mistakes_have_their_line_and_reason(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct pp_mesh_triangles mesh = {0};
         struct pp_error err;
-        assert_int_equal(
-            pp_read_outline_parse(&mesh, cases[i].text, "a.csv", &upwards, 20.0, &err),
-            PP_BAD_INPUT);
+        assert_int_equal(parse(&mesh, cases[i].text, strlen(cases[i].text), &err),
+                         PP_BAD_INPUT);
         if (!strstr(err.message, cases[i].wanted))
             fail_msg("\"%s\" instead of \"%s\"", err.message, cases[i].wanted);
         pp_mesh_triangles_clear(&mesh);
     }
+}
+
+static void a_file_does_not_end_at_a_nul_byte(void **state)
+{
+    (void)state;
+    static const char text[] = "600,700\n620,600\n630,620\00010\n700,500\n";
+    struct pp_mesh_triangles mesh = {0};
+    struct pp_error err;
+    assert_int_equal(parse(&mesh, text, sizeof text - 1, &err), PP_BAD_INPUT);
+    if (!strstr(err.message, "a.csv:3: there is a NUL byte"))
+        fail_msg("%s", err.message);
+    pp_mesh_triangles_clear(&mesh);
 }
 
 TEST_FILE
@@ -85,6 +98,7 @@ TEST_FILE
         cmocka_unit_test(a_point_on_the_left_is_in_the_east),
         cmocka_unit_test(obstructions_end_at_the_horizon),
         cmocka_unit_test(mistakes_have_their_line_and_reason),
+        cmocka_unit_test(a_file_does_not_end_at_a_nul_byte),
     };
     add_tests(tests, NULL, NULL);
 }
