@@ -96,6 +96,7 @@ function drawChoices() {
     $('undo').disabled = !board.variant?.undo.length;
     $('redo').disabled = !board.variant?.redo.length;
     $('room-name').textContent = rooms.length > 1 ? '' : board.roomName;
+    $('room-name').title = board.roomName; // a long name is shortened
     document.title = `${board.roomName || 'Room'} \u2013 pepperpot`;
 }
 

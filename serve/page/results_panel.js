@@ -61,7 +61,9 @@ function drawTrace() {
     $('trace-button').textContent = isTracing() ? 'Stop' : 'Simulate';
     if (!scene) return;
     const hand = df && !df.error ? df.points : [];
-    const name = Object.keys(hand[0]?.df ?? {})[0];
+    // The first method that covers the room.
+    const names = Object.keys(hand[0]?.df ?? {});
+    const name = names.find((n) => hand.some((p) => Number.isFinite(p.df[n]?.value))) ?? names[0];
     const rows = scene.points.map((p, i) => h('tr', {}, h('th', { scope: 'row' }, `${p.x.toFixed(2)}, ${p.y.toFixed(2)}`),
         h('td', {}, figure(hand[i]?.df?.[name]?.value ?? null)), h('td', {}, trace?.points[i] ? figure(trace.points[i][0], trace.points[i][1]) : '\u2013')));
     replaceChildren($('points'), h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'Point, m'), h('th', { scope: 'col' }, name ? `${name}, %` : 'by hand, %'), h('th', { scope: 'col' }, 'simulated, %'))),
@@ -112,7 +114,7 @@ function drawMistakes() {
 // One sentence for screen readers, when the figures have settled.
 function speak() {
     const df = board.results.df;
-    const name = Object.keys(df?.average?.df ?? {})[0];
+    const name = Object.keys(df?.average?.df ?? {}).find((n) => averageOf(df, n) !== null);
     if (name) $('spoken').textContent = `Average daylight factor ${figure(averageOf(df, name))} per cent by ${name}.`;
 }
 

@@ -204,6 +204,9 @@ check('and a drag sets millimetres, in steps of 5 cm', wider > 1700 && wider < 3
 await page.select('#add', 'window');
 await idle();
 check('a new window is in millimetres, too', parseFloat(await attribute('window', 'width', 1)) >= 500 && await page.evaluate(() => document.getElementById('status').hidden), await text());
+await drop('rooflight.xml', '<room version="1" name="Studio"><plan width="5" depth="8" height="3"/><rooflight x="2" y="3" width="1" depth="1"/><window wall="north" left="1" sill="0.9" width="1.5" height="1.5"/><point x="2" y="2"/></room>');
+await until(() => document.title.startsWith('Studio'));
+check('a room with a rooflight has hand figures, and a curve of the method that covers it', await until(() => /split-flux/.test(document.querySelector('#points thead')?.textContent ?? '') && /\d/.test(document.querySelector('#points tbody td')?.textContent ?? '') && document.querySelector('#lower .curve path')));
 await drop('odd.xml', '<room version="1" name="&lt;script&gt;alert(1)&lt;/script&gt;"><plan width="3" depth="4" height="2.5"/><window wall="south" left="1" sill="1" width="1" height="1"/></room>');
 await until(() => document.title.startsWith('<script>'));
 await drop('house.obj', 'v 1 1 0\nv 2 1 0\nv 2 1 1\nf 1 2 3\n');
