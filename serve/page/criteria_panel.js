@@ -18,7 +18,8 @@ function withUnit(text, unit = '') {
 // that a criterion requires.
 function drawFinding(finding) {
     const { unit, optional, note } = finding, wanted = finding.wanted ?? null;
-    const verdict = optional && finding.verdict === 'not met' ? 'not reached' : finding.verdict ?? '';
+    const judged = finding.verdict && finding.verdict !== 'not judged' ? finding.verdict : '';
+    const verdict = optional && judged === 'not met' ? 'not reached' : judged;
     const bound = wanted === null ? 'no target' : `${finding.bound === 'most' ? 'at most' : 'at least'} ${withUnit(String(Number(wanted.toPrecision(3))), unit)}`;
     return [h('tr', { class: `verdict-${verdict.replace(/ /g, '-') || 'none'}` }, h('th', { scope: 'row' }, finding.of),
         h('td', {}, withUnit(figure(finding.figure ?? null, finding.se ?? null), unit), h('span', { class: 'bound' }, bound)), h('td', {}, verdict)),

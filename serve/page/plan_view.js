@@ -134,6 +134,7 @@ function drawOutside(scene, to, isDrawn = true) {
 
 function drawPoints(scene, to) {
     const traced = board.results.trace;
+    const isClose = to([1, 0])[0] - to([0, 0])[0] >= 30; // pixels per metre, so that values fit between points
     return scene.points.map((p, i) => {
         const [x, y] = to([p.x, p.y]);
         const element = board.parts.find((e) => ['point', 'line', 'grid'].includes(e.name) && e.line === p.line);
@@ -146,7 +147,7 @@ function drawPoints(scene, to) {
         // Without contours the simulated values are written.
         dot.setAttribute('class', `simulated band-${bandOf(value)}`);
         dot.setAttribute('r', 6);
-        return [dot, s('text', { class: 'level', x, y: y + 17 }, figure(value))];
+        return [dot, isClose && s('text', { class: 'level', x, y: y + 17 }, figure(value))];
     });
 }
 

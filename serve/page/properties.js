@@ -1,7 +1,7 @@
 // properties.js - the list of the room's parts, and fields for the values of the selected one.
 
 import { board } from './board.js';
-import { $, h, replaceChildren } from './dom.js';
+import { $, h, replaceChildren, say } from './dom.js';
 import { ABOUT_NEW, HINTS, KINDS, NEW_PARTS, USUAL, attributesOf, labelOf } from './kinds.js';
 import { insertBehind, insertInto, lengthOf, metresPer, partAt, readElements, removeElement, setAttributes, textOf, valueOf, written, writtenLength } from './room_text.js';
 import { pointsOf, rangeOf, wallAxes } from './geometry.js';
@@ -160,6 +160,11 @@ function add(kind) {
     const isChild = kind === 'blind';
     const parent = isChild ? (board.element?.name === 'window' ? board.element : board.parts.find((e) => e.name === 'window')) : room;
     if (!parent) return;
+    const former = isChild && parent.children.find((e) => e.name === kind);
+    if (former) {
+        board.select(former.index);
+        return;
+    }
     const same = parent.children.filter((e) => e.name === kind).pop();
     const text = same ? insertBehind(board.text, same, xml) : insertInto(board.text, parent, xml);
     choose(text, (e) => e.name === kind && textOf(text, e).startsWith(xml));
@@ -176,14 +181,21 @@ export function copySelected() {
     if (!element || !PLACED.includes(element.name)) return;
     let xml = textOf(board.text, element);
     const moved = { left: 0.2, x: 0.2 };
-    const own = readElements(xml)[0];
+    let own = readElements(xml)[0];
     if (element.name === 'window') {
         const left = lengthOf(element, 'left'), width = lengthOf(element, 'width');
-        const place = placeInWall(valueOf(element, 'wall'), width, left + width);
-        if (place) moved.left = Number(place.left) - left;
+        const wall = valueOf(element, 'wall');
+        const place = placeInWall(wall, width, left + width) ?? wallsForNew().map((other) => placeInWall(other, width)).find(Boolean);
+        if (!place) {
+            say('No wall has a free place for another window of this width.', true);
+            return;
+        }
+        if (place.wall !== wall) xml = setAttributes(xml, own, { wall: place.wall, left: writtenLength(element, Number(place.left)) });
+        moved.left = place.wall === wall ? Number(place.left) - left : 0;
     } else if (Number.isFinite(lengthOf(element, 'width'))) {
         moved.x = lengthOf(element, 'width') + 0.2;
     }
+    own = readElements(xml)[0];
     for (const [name, by] of Object.entries(moved)) {
         const value = parseFloat(own.attributes[name]?.value);
         if (Number.isFinite(value)) {

@@ -51,7 +51,7 @@ function drawPlanFigures() {
 }
 
 function errors(trace) {
-    return trace ? `standard errors up to ${Number(trace.error.toPrecision(2))} % of the value` : 'no result yet';
+    return Number.isFinite(trace?.error) ? `standard errors up to ${Number(trace.error.toPrecision(2))} % of the value` : isTracing() ? 'no result yet' : 'no light at the points';
 }
 
 function drawTrace() {

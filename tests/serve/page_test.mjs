@@ -204,6 +204,16 @@ check('and a drag sets millimetres, in steps of 5 cm', wider > 1700 && wider < 3
 await page.select('#add', 'window');
 await idle();
 check('a new window is in millimetres, too', parseFloat(await attribute('window', 'width', 1)) >= 500 && await page.evaluate(() => document.getElementById('status').hidden), await text());
+await drop('bare.xml', '<room version="1" name="Bare"><plan width="3" depth="4" height="2.5"/></room>');
+await until(() => document.title.startsWith('Bare'));
+check('a room without windows has no light', await until(() => /no light/.test(document.getElementById('trace-state').textContent)), await page.evaluate(() => document.getElementById('trace-state').textContent));
+for (let i = 0; i < 5; i++) {
+    await page.select('#add', 'window');
+    await idle();
+    await page.click('#copy');
+    await idle();
+}
+check('ten new and copied windows are side by side, in several walls', await page.evaluate(() => document.getElementById('status').hidden && new Set(window.pepperpot.board.elements.filter((e) => e.name === 'window').map((e) => e.attributes.wall.value)).size > 1), await text());
 await drop('rooflight.xml', '<room version="1" name="Studio"><plan width="5" depth="8" height="3"/><rooflight x="2" y="3" width="1" depth="1"/><window wall="north" left="1" sill="0.9" width="1.5" height="1.5"/><point x="2" y="2"/></room>');
 await until(() => document.title.startsWith('Studio'));
 check('a room with a rooflight has hand figures, and a curve of the method that covers it', await until(() => /split-flux/.test(document.querySelector('#points thead')?.textContent ?? '') && /\d/.test(document.querySelector('#points tbody td')?.textContent ?? '') && document.querySelector('#lower .curve path')));
@@ -243,6 +253,8 @@ check('a click keeps the position whose figures are shown', await page.evaluate(
 await page.type('#place-text', '1.5, 2');
 await page.evaluate(() => document.querySelector('#place button').click());
 check('components at a place are shown by opening', await until(() => /Window, south/.test(document.getElementById('point-figures').textContent)));
+await page.select('#trace-error', '5');
+await until(() => /^Simulated:/.test(document.getElementById('trace-state').textContent));
 await page.click('#compare');
 check('a second variant stands beside the first', await until(() => document.querySelectorAll('#averages thead th').length === 3));
 check('with its plan', await until(() => document.querySelectorAll('#other-plan .contour').length > 3));
