@@ -8,7 +8,7 @@
 #
 # Exit status 1 if a source has no such piece.
 
-# The lines of the piece.
+# piece(FILE, NAME): prints the lines of the piece.
 function piece(file, name,    line, inside, found) {
     while ((getline line < (top "/" file)) > 0) {
         if (line ~ "^/\\* theory: end \\*/")

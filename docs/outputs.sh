@@ -1,23 +1,27 @@
 #!/bin/sh
-# outputs.sh PROGRAM SOURCES PAGE.md [PICTURES] - prints a page of the manual with the outputs
-# that it shows made anew. With a folder for PICTURES those that the page shows go there.
-# With QUICK=yes blocks behind `<!-- long -->` stay as they are.
+# outputs.sh PROGRAM SOURCES PAGE.md [PICTURES] - runs the commands on a page of the manual and
+# prints the page with their new outputs. If a folder PICTURES is given, the pictures that the page
+# shows are copied to it. With QUICK=yes, blocks marked `<!-- long -->` are printed unchanged and
+# their commands do not run.
 #
-# Commands run in order in one scratch folder. It has examples/ of the sources, and the files that
-# are not pages from the folder of the page:
+# Commands run in order in one scratch folder. It contains the folder examples/ of the sources, and
+# the files beside the page that are not pages. Marks on the page:
 #
-#     ```console                      a block of commands and outputs: `$ ` begins a command,
-#     $ pepperpot df room.xml         which may go on behind a `\`; what follows is its output
-#     ...
+#     ```console                      a block of commands and outputs: a line with `$ ` begins a
+#     $ pepperpot df room.xml         command, which continues on the next line after a `\`; the
+#     ...                             lines up to the next command are its output
 #     ```
-#     <!-- shown: 1-6 12 -->          before a block: these lines of its outputs are shown, and
-#                                     `...` stands for the others; or a script of `sed -n`,
+#     <!-- shown: 1-6 12 -->          before a block: only these lines of each output are shown,
+#                                     with `...` in place of the others; or a script for `sed -n`,
 #                                     such as /Criteria/,/^$/p
-#     <!-- file: room.xml -->         the block behind it is written to that file
-#     <!-- run: COMMAND -->           a command that is not shown
-#     <!-- long -->                   before a block that takes seconds
+#     <!-- file: room.xml -->         the next block, which is not a console block, is written to
+#                                     that file
+#     <!-- run: COMMAND -->           a command that is run but not shown
+#     <!-- long -->                   before a block that takes several seconds
+#     <!-- fails -->                  before a block: its commands may fail
 #
-# Exit status 1 where a command fails, unless the page has `<!-- fails -->` before its block.
+# Exit status 1 if another command fails, if a `sed -n` script selects nothing, or if no command
+# makes a picture that the page shows.
 set -eu
 program=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
 sources=$(cd "$2" && pwd)
@@ -37,19 +41,19 @@ export PATH
 cd "$scratch/work"
 
 failed=0
-# run COMMAND: in the scratch folder; what it prints goes to $scratch/out.
+# run COMMAND: runs it in the scratch folder; its output goes to $scratch/out.
 run() {
     status=0
     sh -c "$1" >"$scratch/printed" 2>&1 </dev/null || status=$?
-    tr -d '\r' <"$scratch/printed" >"$scratch/out" # lines of CSV end as RFC 4180 has them
+    tr -d '\r' <"$scratch/printed" >"$scratch/out" # lines of CSV end with CR LF (RFC 4180)
     if [ "$status" -ne 0 ] && [ -z "$fails" ]; then
         echo "$page: exit status $status: $1" >&2
         sed 's/^/    /' "$scratch/out" >&2
         failed=1
     fi
 }
-# The part of what was printed that the page shows: all, lines as "1-6 12", or those that
-# `sed -n` prints by a script. A part of nothing is a mistake.
+# shown LINES: prints the part of the output that the page shows: all of it, lines such as
+# "1-6 12", or the lines that a script for `sed -n` selects. A script must select a line.
 shown() {
     case $1 in
     '') cat "$scratch/out" ;;
@@ -139,7 +143,7 @@ while IFS= read -r line || [ -n "$line" ]; do
     esac
 done <"$page"
 
-# The pictures that the page shows have to be there.
+# Every picture that the page shows must have been made, unless its block was left out.
 sed -n 's/.*!\[[^]]*\](\(pictures\/[^)]*\)).*/\1/p' "$page" | sort -u >"$scratch/wanted"
 while read -r picture; do
     name=$(basename "$picture")

@@ -1,5 +1,5 @@
-# pepperpot - completion for bash: commands, options, files. The program itself is asked,
-# by --help, what it has.
+# pepperpot - completion for bash: commands, options, files. Commands and options
+# are read from the program's own --help.
 _pepperpot()
 {
     local program=$1 word=$2 previous=$3 command=${COMP_WORDS[1]}

@@ -1,7 +1,7 @@
 # situations.awk - the table of one room in docs/situations.md, from df --format csv, in per
 # cent: direct components (sky and externally reflected together), internally reflected
-# components and daylight factors, at the two points of the room and on average. Methods
-# without a figure follow, with the reason. Standard errors below 0.005 are omitted.
+# components and daylight factors, at the two points of the room and on average. Single
+# methods without a figure follow, with the reason. Standard errors below 0.005 are omitted.
 BEGIN { FS = "," }
 
 # Only the last field, the reason for a missing figure, may contain commas.
@@ -63,7 +63,7 @@ END {
         print ""
         for (i = 1; i <= count; i++) {
             split(order[i], word, SUBSEP)
-            # Of the pairs of methods, only those with exact are shown.
+            # Pairs of methods are shown only if the direct method is exact.
             if (word[1] != parts[n] || !any[order[i]] || word[2] ~ /[a-z]\+/ \
                 && word[2] !~ /^exact\+/)
                 continue

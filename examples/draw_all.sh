@@ -1,21 +1,23 @@
 #!/bin/sh
-# draw_all.sh PROGRAM OUT FORMAT ... - every chart of the rooms beside this script, into
-# the folder OUT, in each of the formats pdf, svg, png; not those that are newer than
-# their room and the program. CHART_OPTIONS may hold more options of the chart command.
+# draw_all.sh PROGRAM OUT FORMAT ... - draws charts of the rooms beside this script into
+# the folder OUT, in each FORMAT (pdf, svg, png); pictures by `render` only as PNG.
+# Sections and plans that are newer than their room and the program are not drawn again.
+# CHART_OPTIONS: further options for the chart command.
 set -eu
 program=$1
 out=$2
 shift 2
 mkdir -p "$out"
 
-# The rooms of a building have a file each, but for PDF: the first stands for all.
+# is_drawn CHART FORMAT: true if the chart is newer than $room and the program. Rooms of a
+# building have separate files except in PDF; only the file of the first is checked.
 is_drawn() {
     for file in "$1.$2" "$1-1.$2"; do
         [ "$file" -nt "$room" ] && [ "$file" -nt "$program" ] && return
     done
     return 1
 }
-# The blanks of the drawing board.
+# blank NAME ARGUMENTS ...: draws a diagram without a room, named blank-NAME.
 blank() {
     name=$1
     shift
@@ -53,7 +55,7 @@ for format; do
         "$(dirname "$0")/deep-office.xml" -o "$out/deep-office-availability.$format"
 done
 
-# Of some rooms as a whole, and from a point in some.
+# Charts of some rooms as a whole, and of points in some.
 for format; do
     for room in deep-office office classroom; do
         "$program" chart nomogram ${CHART_OPTIONS-} "$(dirname "$0")/$room.xml" \
@@ -110,7 +112,7 @@ for format; do
         -o "$out/corner-house-sun-path.$format"
 done
 
-# Pictures of their light.
+# Pictures of the light in rooms.
 picture() {
     name=$1 room=$2
     shift 2

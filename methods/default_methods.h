@@ -3,7 +3,7 @@
  *
  * The pair is exact+bre. If bre does not cover the room (a sky other than the overcast
  * one, glass that is not vertical, receivers that do not face up) it is
- * exact+split-flux, which covers all rooms. The command line, criteria, sizing and
+ * exact+split-flux, which covers these cases. The command line, criteria, sizing and
  * charts all use this pair.
  */
 #ifndef PP_METHODS_DEFAULT_METHODS_H

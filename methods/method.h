@@ -136,7 +136,7 @@ struct pp_method {
     void (*destroy_tools)(void *tools); /* NULL tools are allowed */
 
     /* The components of one opening. Called only if neither refuses_room nor refuses
-     * gives a reason, with all of `part` zero except the steps. May be called from
+     * gives a reason, with all of `part` zero except its worksheet. May be called from
      * several threads at once. */
     enum pp_status (*evaluate)(const struct pp_world *world,
                                const struct pp_outside_light *light,
@@ -196,7 +196,7 @@ const char *pp_method_refuses_room(const struct pp_method *method,
 
 /* Reason why the method does not cover an opening, as pp_method.refuses: also for
  * openings with a blind, unless the method takes them, and for panes that scatter by
- * direction. */
+ * direction, unless the method covers any pane. */
 const char *pp_method_refuses_opening(const struct pp_method *method,
                                       const struct pp_world *world,
                                       const struct pp_outside_light *light,

@@ -3,8 +3,10 @@
  *     default   exact+bre, brs-table+bre, average-df; the same as NULL. If exact+bre
  *               does not cover the room, also the pair that replaces it
  *               (default_methods.h)
- *     all       every direct method with bre, exact with every internal one, all whole
- *     A+B    direct component by A, internally reflected one by B, and their sum
+ *     all       every direct method with bre, except those with by_name (method.h);
+ *               exact with every internal method; all methods for the whole daylight
+ *               factor
+ *     A+B       direct component by A, internally reflected one by B, and their sum
  *     NAME      one method, with the components that it gives
  */
 #ifndef PP_METHODS_SELECTION_H
@@ -26,15 +28,16 @@ struct pp_selection {
     bool usual; /* the selection contains "default" */
 };
 
-/* Reads a list of that form; NULL is the default. A wrong name or pair is PP_BAD_INPUT,
- * with the valid names and the most similar one. On success the caller clears the
+/* Reads a list of that form; NULL is the default. A wrong name is PP_BAD_INPUT, with
+ * the valid names and the most similar one; so is a pair of methods that do not give the
+ * two components. On success the caller clears the
  * selection. */
 enum pp_status pp_selection_parse(struct pp_selection *selection, const char *text,
                                   struct pp_error *err);
 void pp_selection_clear(struct pp_selection *selection);
 
-/* Adds the entries of `all` for a method, unless the selection already has the
- * method. */
+/* Adds a method: a direct one in a pair with bre, an internal one in a pair with exact,
+ * any other alone. Does nothing if the selection already has the method. */
 enum pp_status pp_selection_include(struct pp_selection *selection,
                                     const struct pp_method *method,
                                     struct pp_error *err);

@@ -83,8 +83,8 @@ static const struct pp_formula *const formulae[] = {&pp_allowance_glass_W,
                                                     &at_point,
                                                     NULL};
 
-/* Refuses rooms in which every surface has a reflectance of 0: the divisor of L would
- * be 0. */
+/* As pp_fitted_parts_refuses, and also for rooms in which every surface has a
+ * reflectance of 0, except those of the opening's wall: the divisor of L would be 0. */
 static const char *bre_atlas_refuses(const struct pp_world *world,
                                      const struct pp_outside_light *light,
                                      const struct pp_opening *opening,

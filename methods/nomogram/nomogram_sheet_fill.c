@@ -146,8 +146,8 @@ static bool same_lines(const struct pp_nomogram_window *a,
 /* A room, and the nomogram with which it is read. */
 struct room_on_sheet {
     struct pp_nomogram_sheet *sheet;
-    const struct pp_method *method; /* the hand method whose formula the nomogram
-                                     * solves */
+    const struct pp_method *method; /* `irc-atlas` for nomogram IV, `nomogram` for the
+                                     * others: its scope and allowances apply */
     const struct pp_world *world;
     const struct pp_outside_light *light;
     const struct pp_receiver *receiver;

@@ -25,8 +25,8 @@ enum pp_status pp_nomogram_sheet_fill_blank(struct pp_nomogram_sheet *sheet,
  * world must outlive the sheet. PP_BAD_INPUT if the sky is not overcast, the mean
  * reflectance is outside scale B, the room has no opening for that nomogram, or an
  * opening has a value off its scales. The sum on I is the component by the method
- * `nomogram`. The sums on IV are the results of `irc-atlas` for the room and for the
- * point. */
+ * `nomogram`. The sums on IV are results of `irc-atlas`, for the room and for the
+ * point, as read on the scales, so that each reading is rounded. */
 enum pp_status pp_nomogram_sheet_fill_room(struct pp_nomogram_sheet *sheet,
                                            enum pp_nomogram_kind kind,
                                            const struct pp_world *world,

@@ -12,9 +12,10 @@ struct pp_mark_spacing {
     double fine_rad, label_rad;
 };
 
-/* Makes a sheet of a protractor for any glass except diffusing glass, slopes from 0 to
- * pi/2, and skies without azimuth dependence; else PP_BAD_INPUT. glass_words names the
- * glass ("clear single glass"). The sheet can be cleared even after a failure. */
+/* Makes a sheet of a protractor, without readings, for a slope from 0 to pi/2 (not
+ * checked). PP_BAD_INPUT for diffusing glass, and for a sky whose luminance depends on
+ * azimuth. glass_words names the glass ("clear single glass"). The sheet can be cleared
+ * even after a failure. */
 enum pp_status pp_protractor_sheet_fill_blank(struct pp_protractor_sheet *sheet,
                                               const struct pp_protractor *protractor,
                                               const char *glass_words,
@@ -22,8 +23,10 @@ enum pp_status pp_protractor_sheet_fill_blank(struct pp_protractor_sheet *sheet,
                                               struct pp_error *err);
 
 /* Makes a sheet of the protractor and its readings for the opening with the largest
- * direct component at the receiver. The world must outlive the sheet. PP_BAD_INPUT if
- * the receiver sees no opening, or if there is no protractor for an opening. */
+ * direct component at the receiver, before the corrections for glass, frame and dirt.
+ * The world must outlive the sheet. PP_BAD_INPUT if the method `protractor` does not
+ * cover the room or one of its openings, or if no light from outside above the horizon
+ * reaches the receiver through any opening. */
 enum pp_status pp_protractor_sheet_fill_room(struct pp_protractor_sheet *sheet,
                                              const struct pp_world *world,
                                              const struct pp_outside_light *light,

@@ -11,7 +11,7 @@ npm install --silent --no-audit --no-fund
 {
     echo "/* CodeMirror 6 (https://codemirror.net), MIT licence: see serve/codemirror/LICENSE.txt."
     echo " * Made by serve/codemirror/build.sh; do not edit. */"
-    # Lines that tools can take.
+    # Short lines, since some tools cannot read very long ones.
     ./node_modules/.bin/esbuild editor.js --bundle --format=esm --minify --line-limit=400 \
         --charset=ascii --legal-comments=none
 } >"$here/../page/codemirror.js"
