@@ -29,9 +29,8 @@ struct pp_selection {
 };
 
 /* Reads a list of that form; NULL is the default. A wrong name is PP_BAD_INPUT, with
- * the valid names and the most similar one; so is a pair of methods that do not give the
- * two components. On success the caller clears the
- * selection. */
+ * the valid names and the most similar one; so is a pair of methods that do not give
+ * the two components. On success the caller clears the selection. */
 enum pp_status pp_selection_parse(struct pp_selection *selection, const char *text,
                                   struct pp_error *err);
 void pp_selection_clear(struct pp_selection *selection);

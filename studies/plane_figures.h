@@ -1,8 +1,9 @@
 /* plane_figures.h - figures of a whole working plane: minimum, median, average,
  * uniformity, and the fractions of its area above 1, 2 and 5 %.
  *
- * The figures are computed from points that represent equal areas: the requested points
- * if they form a grid (model/results/lattice.h), otherwise the grid points of EN 17037.
+ * The figures are computed from a grid of points, each of which counts by the area that
+ * it represents: from the requested points if they form a grid
+ * (model/results/lattice.h), otherwise from the grid points of EN 17037.
  * That grid omits 0.5 m along the walls; the criteria also use it. Grid points are
  * evaluated together with the requested points, and then removed from the report.
  */
@@ -26,8 +27,8 @@ enum pp_status pp_plane_figures_fill(struct pp_report *report,
                                      struct pp_error *err);
 
 /* Sets `plane` of one column from the readings at grid points, the receivers; each
- * counts by its area, if they have areas. has_plane is set to
- * false if any reading has no value. */
+ * counts by its area, if they have areas. has_plane is set to false if any reading has
+ * no value. */
 enum pp_status pp_plane_figures_sum_up(struct pp_column *column,
                                        const struct pp_reading *points,
                                        const struct pp_receiver *receivers, int count,

@@ -113,8 +113,8 @@ struct pp_material pp_material_metal(struct pp_rgb colour, double specular,
 /* A physically rough surface, which must outlive the material. */
 struct pp_material pp_material_rough(const struct pp_rough_surface *surface);
 
-/* Diffuse reflectance of the material at a point of the room. Where the pattern leaves
- * the range from 0 to 1, or has no value, it is 0 or 1. */
+/* Diffuse reflectance of the material at a point of the room. Each channel is
+ * limited to the range from 0 to 1; it is 0 where the pattern has no value. */
 struct pp_rgb pp_material_diffuse_at(const struct pp_material *material,
                                      struct pp_vec3 point);
 

@@ -101,8 +101,9 @@ static bool has_doubles(const struct topic *topic)
     return false;
 }
 
-/* Finds the figures of a topic. Returns their number if most rooms have each of them, so
- * that they can be columns; otherwise 0. */
+/* Finds the figures of a topic. Returns their number if they can be columns of a table:
+ * there are several, more than half of the rooms have each of them, and no room has one
+ * of them twice. Otherwise returns 0. */
 static int find_figures(struct topic_figure figures[WHATS_MOST],
                         const struct topic *topic)
 {

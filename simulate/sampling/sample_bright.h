@@ -20,7 +20,8 @@
 #include "model/light/photographs/sky_bright.h"
 #include "simulate/sampling/sample_polygon.h"
 
-/* q for directions from a point to a target. */
+/* q for directions from the point `from`, on a surface with the normal n, to a
+ * target. */
 double pp_sample_bright_share_of_target(const struct pp_sky_bright *bright,
                                         const struct pp_target *target,
                                         struct pp_vec3 from, struct pp_vec3 n);

@@ -52,7 +52,8 @@ enum pp_status pp_glare_panes_init(struct pp_glare_panes *panes,
                                    double ground_reflectance, struct pp_error *err);
 void pp_glare_panes_clear(struct pp_glare_panes *panes);
 
-/* The row without direct sun: luminances are L(u) of the pane's rays. */
+/* Luminance L(class) of a row without direct sun, cd/m2. luminances: L(u) of each ray
+ * of the row's pane. */
 double pp_glare_panes_luminance(const struct pp_glare_panes *panes, int row,
                                 const double *luminances);
 

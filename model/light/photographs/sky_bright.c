@@ -83,7 +83,7 @@ static void gather_bright_cells(struct pp_sky_bright *bright)
         bright->below[i] /= bright->integral;
 }
 
-/* Light of the density's cells over that of the sky. */
+/* Integral of the density divided by the light of the sky; at most 1. */
 static double share_of(const struct pp_sky_bright *bright)
 {
     double light = 0.0;

@@ -29,7 +29,7 @@ struct pp_sky_bright {
     int edge;           /* lamps along an edge of the cube; 0: the cells are those of
                          * the picture's table */
     double integral;    /* of `density` over all cells */
-    double share;       /* of the sky's light that the density represents */
+    double share;       /* integral divided by the light of the whole sky; at most 1 */
     float *density;     /* by cell, not normalised: per steradian, or per area of a
                          * lamp */
     int count;          /* bright cells */
@@ -39,8 +39,7 @@ struct pp_sky_bright {
 };
 
 /* Finds the bright parts. *bright is NULL for a sky that is no photograph, for a
- * picture whose light is found by chance, or if the excess is less than 1 % of the
- * light. The picture must outlive *bright. */
+ * picture whose light is found by chance, or if `share` is at most 1 %. The picture must outlive *bright. */
 enum pp_status pp_sky_bright_create(struct pp_sky_bright **bright,
                                     const struct pp_sky *sky, struct pp_error *err);
 void pp_sky_bright_destroy(struct pp_sky_bright *bright); /* NULL is allowed */

@@ -28,8 +28,8 @@ struct pp_plane_share {
  * (common_error.h); the rest is independent. Given the common error, the number of
  * points that reach a level has the Poisson binomial distribution (a sum of independent
  * events with different probabilities). This distribution is computed exactly for up to
- * 200 uncertain points of equal areas, or 50 of different ones, and approximated by a
- * normal distribution, for more than 200 to 0.002.
+ * 200 uncertain points of equal areas, or 50 of different ones. For more points it is
+ * approximated by a normal distribution, which for more than 200 is correct to 0.002.
  * The integral over the common error has steps that are finer where the integrand is
  * steep. `level` is the k-th largest value, or the median; its standard error is half
  * the distance between the levels that are reached with probabilities of 16 and 84 %.
