@@ -151,8 +151,7 @@ enum pp_status pp_study_methods(struct pp_study *study, const char *methods,
 
 /* Sets a condition under which pp_study_methods and pp_study_plan stop with
  * PP_INTERRUPTED: for a program that may not need the result any more. `came` is called
- * thousands of times a second, from several threads at once; NULL: the functions are
- * not stopped. */
+ * often, from several threads at once; NULL: the functions are not stopped. */
 void pp_study_stop_when(struct pp_study *study, bool (*came)(void *data), void *data);
 
 /* Adds a variant of a published formula to all later calls of pp_study_methods: "irc =

@@ -20,9 +20,8 @@ enum { FIRST = 1 << 9, MOST = 1 << 15 };
 
 enum { GLASSES = 4 }; /* number of glasses whose means are kept */
 
-/* Work budget for an opening: one to two seconds of computing time. With a terrain of
- * 100,000 triangles outside, 12,000 directions use 1/200 of it; with 100,000 leaves,
- * 400 directions use all of it. */
+/* Work budget for an opening: a second or two of computing time. Overlapping meshes,
+ * such as leaves, use it up after far fewer directions than a terrain does. */
 static const long long work_budget = 200000000;
 
 struct pp_kept_beam {

@@ -42,7 +42,7 @@ struct pp_protractor_dial {
     struct pp_protractor_semicircle semicircles[PP_DIAL_SEMICIRCLES];
 };
 
-/* Takes about 1 ms. Errors are up to 5e-7 of the open sky in readings of the primary
+/* Tabulates the scales. Errors are up to 5e-7 of the open sky in readings of the primary
  * scale, and up to 1e-7 in factors. */
 void pp_protractor_dial_init(struct pp_protractor_dial *dial,
                              const struct pp_protractor *protractor);

@@ -100,8 +100,7 @@ static bool adds_up(const struct pp_patch_builder *builder, const struct pp_regi
 }
 
 /* Divides builder->open if all pieces are visible and have the same light: first
- * without a grid, which is five times as fast, then with the grid if GEOS has lost an
- * area. */
+ * without a grid, which is faster, then with the grid if GEOS has lost an area. */
 static enum pp_status divide_same_light(struct pp_visible *visible,
                                         struct pp_patch_builder *builder,
                                         struct pp_error *err)

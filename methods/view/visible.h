@@ -59,8 +59,8 @@ enum pp_status pp_visible_in_parts(struct pp_visible *visible,
                                    const struct pp_opening *opening, struct pp_vec3 eye,
                                    struct pp_error *err);
 
-/* As pp_visible_in_parts, but may leave out the patches that show obstructions. With
- * many obstructions it is several times as fast. */
+/* As pp_visible_in_parts, but may leave out the patches that show obstructions; faster
+ * if there are many obstructions. */
 enum pp_status pp_visible_sky(struct pp_visible *visible, const struct pp_world *world,
                               const struct pp_opening *opening, struct pp_vec3 eye,
                               struct pp_error *err);

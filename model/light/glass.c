@@ -131,8 +131,8 @@ struct pp_glass pp_glass_of_normal(int panes, double n, double kl, double normal
     return pp_glass_scaled(pp_glass_panes(panes, n, kl), normal);
 }
 
-/* Returns the stored result of pp_glass_panes(1, 1.52, 0.02). Its integral takes 10 us,
- * and a room with a thousand windows needs this pane a million times. */
+/* Returns the stored result of pp_glass_panes(1, 1.52, 0.02), whose integral would take
+ * too long in a room with many windows and points. */
 struct pp_glass pp_glass_clear_single(void)
 {
     return (struct pp_glass){.panes = 1,

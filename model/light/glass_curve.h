@@ -1,5 +1,5 @@
 /* glass_curve.h - optics of a clear glazing by angle, tabulated for use millions of
- * times: five times as fast as glass.h. */
+ * times, faster than by glass.h. */
 #ifndef PP_MODEL_LIGHT_GLASS_CURVE_H
 #define PP_MODEL_LIGHT_GLASS_CURVE_H
 

@@ -27,8 +27,8 @@ struct pp_outside_sun {
                         * sun */
 };
 
-/* Illuminances of planes from one sky, over Eh. The integral over a sky with a sun takes
- * 5 to 20 ms; the openings of a room face only a few directions. */
+/* Illuminances of planes from one sky, over Eh: the integral over a sky with a sun takes
+ * long, but the openings of a room face only a few directions. */
 struct pp_outside_plane {
     struct pp_vec3 normal;
     double sky;

@@ -28,24 +28,20 @@ enum {
 };
 
 /* Limits of the number of points that receivers share in one randomisation. At least 64
- * are used, since fewer need more randomisations: with 8, a grid at 3 % took 1.8 times
- * the work of a grid at 1 %. */
+ * are used, since fewer need more randomisations and, for a large error, more work. */
 enum { LEAST_SHARED = 64, MOST_SHARED = 1 << 12 };
 static const double SHARED_VARIANCE = 0.0033;
 
 /* Cost of one shared point to a receiver, in rays: a connection, plus a fifteenth of
  * the point's own 15 rays, as if 15 receivers used the point. The true number of
- * receivers is not used, since values must not depend on it. With a third of this cost,
- * or twice, the work for 8, 17 or 384 receivers changes by about a tenth. */
+ * receivers is not used, since values must not depend on it. Chosen by trial. */
 static const double SHARED_COST = 1.0;
 
 /* If openings are a smaller fraction of the inside surfaces than SPOTTED_SHARE, they
  * light small spots that few paths find. A small pilot would miss the spots and plan
  * too few paths. The paths of the pilot and the least number of paths are therefore
  * doubled until the fraction times the factor reaches SPOTTED_LIKE, or the factor
- * reaches SPOTTED_MOST. Measured in three rooms with slits of 0.05 to 0.1 m: up to half
- * of the averages had over twice the target error of 0.5 %; now 5 of 90 have, in 1.5
- * times the time. */
+ * reaches SPOTTED_MOST. Chosen by trial in rooms with slits of 0.05 to 0.1 m. */
 static const double SPOTTED_SHARE = 0.015, SPOTTED_LIKE = 0.06;
 enum { SPOTTED_MOST = 16 };
 
@@ -286,8 +282,7 @@ static struct pp_sampler sharing(double error)
     shared.pilot = (struct pp_counts){{4, 8, 2, 8}};
     /* With only 8 shared points, a single one may cause most of a receiver's error. */
     shared.least = (struct pp_counts){{4, 8, 4, 16}};
-    /* Half of PP_RANDOMISATIONS: saves a fifth of the time for a grid at 1 %, with
-     * equally reliable standard errors. Without shared points, the standard errors
+    /* Half of PP_RANDOMISATIONS: saves time, with equally reliable standard errors. Without shared points, the standard errors
      * would be less reliable. */
     shared.pilot_randomisations = 16;
     shared.most.of[SHARED] = most_shared(error);

@@ -39,8 +39,7 @@ bool pp_light_images_sample(struct pp_radiance_state *state,
                             struct pp_opening_sample *sample);
 
 /* Probability of sampling an image in glass, whose light is weak and varies little.
- * Measured in 93 rooms with openings in several walls, eight points at 1 %: with
- * probability 1 the rooms take 10 % more time, with 0.5 2 % more. */
+ * Chosen by trial. */
 #define PP_GLASS_CHANCE 0.25
 
 /* Samples the image of an opening in the glass of another opening (glass_images.h): a

@@ -11,8 +11,7 @@
 #include "simulate/transport/light_path.h"
 
 enum {
-    PATHS = 1 << 19,    /* for all bins of all patches, half a microsecond each. The
-                         * direct light 8 m deep in a courtyard then has 0.6 % noise */
+    PATHS = 1 << 19,    /* for all bins of all patches */
     LEAST_SAMPLES = 16, /* least number of paths for each bin */
     PROBES = 256,       /* rays that measure the distance of surfaces */
 };

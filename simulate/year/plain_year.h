@@ -4,7 +4,7 @@
  * A set of light paths is stored as the places where the paths meet sky, ground and
  * sunlit surfaces. For every hour, the sky is evaluated in the direction in which each
  * path leaves, and the sun is tested at each place. The only error is noise. Tests
- * compare this method with year_coefficients.h; it takes about a hundred times as long.
+ * compare this method with year_coefficients.h; it takes much longer.
  */
 #ifndef PP_SIMULATE_YEAR_PLAIN_YEAR_H
 #define PP_SIMULATE_YEAR_PLAIN_YEAR_H

@@ -23,8 +23,7 @@ struct year_path {
     bool is_first;  /* at the receiver itself, which aims at openings */
 };
 
-/* Like pp_path_walk_meet, but with the short cut for convex rooms, which saves a tenth
- * of the time of a year. */
+/* Like pp_path_walk_meet, but with the short cut for convex rooms, which saves time. */
 static enum pp_meeting meet_next(struct year_path *path, struct pp_light_hit *hit)
 {
     struct pp_path_walk *walk = path->walk;

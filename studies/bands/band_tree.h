@@ -7,8 +7,7 @@
  * rows outside it. The score is least for the true quantiles and the narrowest bands
  * [GR07] (eq. 43). The score is calculated for logarithms of ratios and summed over the
  * levels 0.5 and 0.8. The level 0.95 is not used, since it would select regimes that
- * have a narrow band by chance. With this level, 5 of 418 regimes were outside their
- * limits on held-out rooms. Without it, only one was, and bands were 1 % wider.
+ * have a narrow band by chance.
  */
 #ifndef PP_STUDIES_BANDS_BAND_TREE_H
 #define PP_STUDIES_BANDS_BAND_TREE_H
@@ -24,8 +23,8 @@ struct pp_band_rules {
 };
 
 /* Rules used for the program's table: at least 300 rooms per regime, at most 20
- * regimes, gain 0.4 %. With 200 rooms per regime, regimes were selected whose bands are
- * narrow by chance: in one, only 86.5 % of the held-out rooms were inside the band. */
+ * regimes, gain 0.4 %. With fewer rooms per regime, regimes would be selected whose
+ * bands are narrow by chance. */
 extern const struct pp_band_rules pp_band_tree_rules;
 
 /* Finds the regimes; the caller frees the list. Each row of the sample is in exactly

@@ -13,7 +13,7 @@ enum pp_status pp_site_trees_add(struct pp_site_sheet *sheet,
                                  const struct pp_world *before, struct pp_error *err);
 
 /* Sets the crowns of an elevation, whose extent is known: those of the present trees
- * that overlap it from left to right, and stand in front of all walls that they cover.
+ * that overlap it horizontally, and stand in front of all walls that they cover.
  * The foremost tree is first. PP_SYSTEM if memory is exhausted. */
 enum pp_status pp_site_trees_in_front(struct pp_site_elevation *elevation,
                                       const struct pp_site_sheet *site,

@@ -5,7 +5,7 @@
  * finishes are diffuse, as for daylight factors.
  *
  * By LM-83-12 [LM83], openings of one wall and one glass are a group; its blinds are
- * closed in hours when more than 2 % of the points have 1000 lx or more of direct sun
+ * closed in hours when more than 2 % of the plane has 1000 lx or more of direct sun
  * through it. A window that has a blind, screen or curtain is then simulated with it.
  * Another window becomes a uniform Lambertian emitter of 20 % of the light that falls on
  * it, times the diffuse transmittance of the pane.

@@ -39,7 +39,8 @@ struct pp_sky_bright {
 };
 
 /* Finds the bright parts. *bright is NULL for a sky that is no photograph, for a
- * picture whose light is found by chance, or if `share` is at most 1 %. The picture must outlive *bright. */
+ * picture whose light is found by chance, or if `share` is at most
+ * 1 %. The picture must outlive *bright. */
 enum pp_status pp_sky_bright_create(struct pp_sky_bright **bright,
                                     const struct pp_sky *sky, struct pp_error *err);
 void pp_sky_bright_destroy(struct pp_sky_bright *bright); /* NULL is allowed */

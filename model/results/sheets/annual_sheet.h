@@ -75,7 +75,7 @@ struct pp_annual_group {
     char name[64];
     const char *device; /* "blind", "screen" or "curtain" of its own; NULL: none */
     double closed_h;    /* occupied hours with blinds closed */
-    double unmet_h; /* of those: hours in which more than 2 % of the points have 1000
+    double unmet_h;     /* of those: hours in which more than 2 % of the plane has 1000
                          * lx of direct sun through the closed device */
     struct pp_annual_value
         light_lxh; /* annual light through the group, mean of the points */

@@ -11,7 +11,7 @@
 #include "model/room/position.h"
 
 /* Limit on the number of comparisons between triangles within the room's bounds and the
- * room's faces. Several hundred comparisons take about 1 ms. */
+ * room's faces, so that a large mesh is read in a short time. */
 static const double near_pairs_most = 1e5;
 
 /* Converts a corner of the file to the room's axes. */

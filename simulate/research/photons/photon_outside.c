@@ -3,8 +3,8 @@
 
 #include "simulate/research/photons/photon_lobes.h"
 
-/* Russian roulette applies if the throughput is below this value. Measured: 0.3 takes
- * 20 % more work, 1 twice as much. */
+/* Russian roulette applies if the throughput is below this value. Chosen by
+ * trial. */
 static const double LEAST = 0.1;
 
 /* Emission of a side of a part outdoors; lamps indoors are sources of photons

@@ -45,7 +45,7 @@ static struct pp_taker taker_of(const struct pp_radiosity_system *system, int in
 
 /* Mean over the element of its light from the openings. Near openings, direct light
  * changes too steeply for the element's middle to represent it. With the middle alone,
- * reflected light was 1 % too high. */
+ * reflected light would be too high. */
 static void mean_by_openings(const struct pp_radiosity_system *system, int index,
                              struct pp_light_sum *sum)
 {
