@@ -15,7 +15,7 @@
 #include "methods/selection.h"
 #include "methods/default_methods.h"
 
-/* Below this number of receivers, starting threads costs more than it saves. */
+/* Up to this number of receivers, starting threads costs more than it saves. */
 enum { SERIAL_MAX = 64 };
 
 /* Converts one component of an answer to a reading; the report stores a copy of

@@ -20,8 +20,7 @@ struct pp_point_list {
  * slices of work. */
 struct pp_watch {
     /* Called when work begins. name: subject of the progress display, usually the room;
-     * NULL: a room without a name.
-     * Returns true if progress is shown. */
+     * NULL: a room without a name. Returns true if progress is shown. */
     bool (*begin)(void *data, const char *name);
     /* Reports progress. done: 0 to 1; error: largest standard error divided by daylight
      * factor so far, NAN if there is none. Both take time to compute, and are 0 and NAN

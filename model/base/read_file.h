@@ -10,7 +10,8 @@
 #define PP_READ_FILE_STREAM_MOST ((size_t)512 << 20)
 
 /* Reads the file; path "-" is standard input. On success the caller frees *bytes, and a
- * NUL, which *length does not count, follows the last byte. *length is at most `most` + 1; that value means that the file is larger than `most`.
+ * NUL, which *length does not count, follows the last byte. *length is at most `most` +
+ * 1; that value means that the file is larger than `most`.
  * PP_BAD_INPUT if there is no such file, if it is a directory or a device, or if a
  * stream is longer than PP_READ_FILE_STREAM_MOST. PP_INTERRUPTED after a signal;
  * PP_SYSTEM for other failures. */

@@ -17,8 +17,9 @@ struct pp_weather_store *pp_weather_store_create(void);        /* NULL: the fold
 void pp_weather_store_destroy(struct pp_weather_store *store); /* NULL is allowed */
 void pp_weather_store_empty(struct pp_weather_store *store);   /* removes the folder */
 
-/* Path of the file with that hash; NULL if there is none. The caller frees it. A later upload may replace the file before a command opens it; that command
- * then reports an error. */
+/* Path of the file with that hash; NULL if there is none. The caller frees it. A later
+ * upload may replace the file before a command opens it; that command then reports an
+ * error. */
 char *pp_weather_store_path(struct pp_weather_store *store, const char *hash);
 
 /* Stores a weather file, and answers with { "hash": "...", "place": "..." }. */

@@ -282,8 +282,8 @@ static struct pp_sampler sharing(double error)
     shared.pilot = (struct pp_counts){{4, 8, 2, 8}};
     /* With only 8 shared points, a single one may cause most of a receiver's error. */
     shared.least = (struct pp_counts){{4, 8, 4, 16}};
-    /* Half of PP_RANDOMISATIONS: saves time, with equally reliable standard errors. Without shared points, the standard errors
-     * would be less reliable. */
+    /* Half of PP_RANDOMISATIONS: saves time, with equally reliable standard errors.
+     * Without shared points, the standard errors would be less reliable. */
     shared.pilot_randomisations = 16;
     shared.most.of[SHARED] = most_shared(error);
     shared.cost[SHARED] = SHARED_COST;

@@ -107,7 +107,8 @@ struct pp_light_scene {
     uint64_t hash;
 };
 
-/* A part without material, window, niche, emitter or mirror. */
+/* A part with these materials (front and back), which is not round and has no window,
+ * niche, emitter, mirror or reflector. */
 static inline struct pp_light_part pp_light_scene_parts_of(int tag,
                                                            const int material[2])
 {

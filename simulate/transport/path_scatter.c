@@ -87,8 +87,8 @@ bool pp_path_scatter_by_lobe(const struct pp_radiance_state *state,
 }
 
 /* The bright parts of the sky to which directions of a path are sampled; NULL: none.
- * Indoors, directions through the openings are sampled to them, unless the path has
- * come from an opening. */
+ * Indoors there are none, since their light comes by samples through the openings,
+ * unless the path has come from an opening. */
 static const struct pp_sky_bright *bright_for(const struct pp_radiance_state *state,
                                               const struct pp_light_path *path,
                                               enum pp_space space)

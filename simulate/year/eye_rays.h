@@ -64,7 +64,8 @@ struct pp_eye_ray pp_eye_rays_outwards(const struct pp_light_scene *scene, int o
                                        struct pp_vec3 u, double ground_reflectance);
 
 /* Luminance of the sun seen from the eye through glass, divided by that of the sun: the
- * transmittance on the way, without frames; 0 if the sun is hidden. sun: unit. */
+ * transmittance on the way, without frames; 0 if the sun is hidden. sun: unit vector
+ * towards it. *opening: index of the opening through which it is seen; -1: none. */
 double pp_eye_rays_to_sun(const struct pp_light_scene *scene, struct pp_vec3 eye,
                           struct pp_vec3 sun, int *opening);
 

@@ -70,7 +70,7 @@ enum {
     PP_ANNUAL_PLANE = sizeof(struct pp_annual_plane) / sizeof(struct pp_annual_value)
 };
 
-/* Openings whose blinds close together: same wall and same glass. */
+/* Openings whose blinds close together (studies/year/blind_groups.h). */
 struct pp_annual_group {
     char name[64];
     const char *device; /* "blind", "screen" or "curtain" of its own; NULL: none */
