@@ -16,7 +16,7 @@ void pp_df_plane_tables(const struct pp_report *report,
                         const struct pp_lattice *lattice, int width, FILE *out);
 
 /* Prints a line for each column with figures of the plane: minimum, median, average,
- * uniformity, and the fraction of the points that reach each level. Prints nothing if
+ * uniformity, and the fraction of the plane that reaches each level. Prints nothing if
  * there are no such figures. */
 void pp_df_plane_summary(const struct pp_report *report, int width, bool utf8,
                          FILE *out);

@@ -47,7 +47,7 @@ enum pp_status pp_plane_figures_receivers(struct pp_receiver **all, int *count,
     return *all ? PP_OK : pp_fail_memory(err);
 }
 
-/* Finds the daylight factor that is reached at a fraction `part` of the points. */
+/* Finds the daylight factor that is reached on a fraction `part` of the plane. */
 static enum pp_status reached_by(struct pp_reading *reading,
                                  const struct pp_reading *points,
                                  const struct pp_receiver *receivers, int count,

@@ -13,8 +13,8 @@ struct pp_pane_tables;
 /* Makes tables of clear glass and of gradations, which are valid for any receiver.
  * `plane` is the common normal of many receivers: skies without a gradation table are
  * tabulated for this normal to 1e-6, once for each orientation; NULL: not tabulated.
- * On success the caller destroys *tables, which may outlive the world and may be read by
- * any number of threads. */
+ * On success the caller destroys *tables, which may outlive the world and may be read
+ * by any number of threads. */
 enum pp_status pp_pane_tables_create(struct pp_pane_tables **tables,
                                      const struct pp_world *world,
                                      const struct pp_outside_light *light,

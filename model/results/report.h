@@ -23,7 +23,7 @@ extern const double pp_plane_levels[PP_PLANE_LEVELS];
 struct pp_plane_reading {
     struct pp_reading minimum, median, average;
     double uniformity;            /* minimum over average */
-    double over[PP_PLANE_LEVELS]; /* share of the points that reach each level */
+    double over[PP_PLANE_LEVELS]; /* share of the plane that reaches each level */
 };
 
 struct pp_column {

@@ -249,8 +249,7 @@ static const struct variate_patch *neighbour(const struct variate_patch *patches
 /* Smooths the exchanged light: the true light varies little from patch to patch, but
  * the noise of each patch is independent. Each value becomes the mean over a patch and
  * its neighbours with weights 1, 2, 1 along each axis. Neighbours count in opposite
- * pairs only, so that a linear variation is kept. Measured over 40 rooms: with
- * smoothing, half as many samples suffice. */
+ * pairs only, so that a linear variation is kept. */
 static void smooth(struct pp_control_variate *variate, struct variate_patch *patches,
                    const struct pp_control_variate_grid *grid)
 {

@@ -113,7 +113,7 @@ const struct pp_column *pp_factors_average(const struct pp_inquiry *inquiry,
     return NULL;
 }
 
-/* Level that a part of the points reaches if all points are at the lower, or all at the
+/* Level that a part of the plane reaches if all points are at the lower, or all at the
  * upper, ends of their bands. */
 static enum pp_status level_at(double *level, const struct pp_band_ends *bands,
                                const struct pp_receiver *receivers, int count,

@@ -29,7 +29,7 @@ const struct pp_column *pp_factors_average(const struct pp_inquiry *inquiry,
                                            struct pp_finding_list *findings,
                                            const char **why);
 
-/* Range of the level that a part (a fraction) of the grid's points reaches: from all
+/* Range of the level that a part (a fraction) of the plane reaches: from all
  * points at the lower ends to all points at the upper ends of their bands. No range if
  * a point has no band. receivers: the areas of the points, as in plane_share.h. */
 enum pp_status pp_factors_band(struct pp_band_ends *band,

@@ -171,7 +171,8 @@ static int by_distance(const void *a, const void *b)
 }
 
 /* Lists of 0 to 40 lines, some with equal distances or views of the sky (infinite
- * distances), and weights that are sums of powers of two, so that sums have no rounding errors. */
+ * distances), and weights that are sums of powers of two, so that sums have no rounding
+ * errors. */
 static void the_median_distance_is_that_of_the_sorted_lines(void **state)
 {
     (void)state;

@@ -80,7 +80,7 @@ static void add_year_basis(const struct pp_inquiry *inquiry,
                                   findings->basis[0] ? "; " : "", words);
 }
 
-/* Adds the finding on `value`, a fraction of the points as defined by LM-83. */
+/* Adds the finding on `value`, sDA or ASE of LM-83: a fraction of the plane. */
 static enum pp_status add_lm83(const struct pp_rule *rule,
                                const struct pp_inquiry *inquiry,
                                const struct pp_annual_value *value, bool at_most,

@@ -6,7 +6,7 @@
 #include "studies/criteria/criterion.h"
 #include "studies/criteria/finding.h"
 
-/* Finding on a fraction of the points or of the hours, with its standard error. */
+/* Finding on a fraction of the plane or of the hours, with its standard error. */
 struct pp_finding pp_rule_year_share(const struct pp_annual_value *value, double wanted,
                                      bool at_most, const char *what);
 
