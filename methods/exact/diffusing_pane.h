@@ -8,8 +8,8 @@
  * middle, until polynomials through 7 x 7 Chebyshev nodes of each cell have an error of
  * 1e-5 of the flux on the whole pane, as estimated from their last coefficients (in
  * fact 1e-6 or less); or until there are 96 cells, or fewer behind dozens of surfaces,
- * where each node takes milliseconds. Errors measured at that limit: 1e-3 behind a
- * sloping shelf that touches the pane, 1.2e-2 behind twenty slats.
+ * where each node takes long. At that limit errors are larger, for example behind a
+ * sloping shelf that touches the pane, or behind many slats.
  */
 #ifndef PP_METHODS_EXACT_DIFFUSING_PANE_H
 #define PP_METHODS_EXACT_DIFFUSING_PANE_H

@@ -19,8 +19,7 @@
 #include "model/geometry/region.h"
 
 /* Relative error bounds of `exact` without a table (pane_light.h), with glass and
- * without. The actual errors are smaller by a factor of 100 or more: for random windows
- * at 0.05 to 8 m the worst were 1e-7 and 1e-11. */
+ * without. The actual errors are far smaller. */
 #define PP_QUADRATURE_GLAZED 1e-5
 #define PP_QUADRATURE_UNGLAZED 1e-9
 
@@ -29,9 +28,8 @@
 #define PP_QUADRATURE_PANE 5e-4
 
 /* Error bound at or above which fixed Gauss-Legendre rules replace the adaptive ones.
- * Fixed rules are much faster and give no error estimate. Over 1,200
- * random windows with clear glass the rms error is 2e-5 at 2 to 5 cm from the pane,
- * 3e-6 from there to 0.1 m and 1e-6 at larger distances; the worst is 2e-4. */
+ * Fixed rules are much faster and give no error estimate. Their errors
+ * are largest within a few centimetres of the pane. */
 #define PP_QUADRATURE_ROUGH 1e-3
 
 /* A luminance with grain is summed in steps of its grain, or in steps this many times

@@ -39,7 +39,7 @@ struct pp_resolver {
 
 /* True if the room has few enough faces, openings and surfaces to compare all pairs.
  * Faces are compared with all nearby parts, corner by corner; a room with more pairs
- * would take many seconds (40,000 windows in one wall took minutes). */
+ * would take many seconds. */
 bool pp_resolve_is_comparable(const struct pp_room *room);
 
 /* Index in r->walls of the wall with that name. If there is none, reports the valid
