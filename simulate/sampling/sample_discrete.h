@@ -69,4 +69,21 @@ static inline int pp_sample_discrete_defensive(const double *estimates, int coun
                                  PP_SAMPLE_DISCRETE_UNIFORM, u, probability);
 }
 
+/* Probability with which pp_sample_discrete_defensive draws index i; 0 if its estimate
+ * is 0. */
+static inline double pp_sample_discrete_defensive_probability(const double *estimates,
+                                                              int count, int i)
+{
+    double total = 0.0;
+    int some = 0;
+    for (int k = 0; k < count; k++) {
+        total += estimates[k];
+        some += estimates[k] > 0.0;
+    }
+    if (!(estimates[i] > 0.0))
+        return 0.0;
+    return (estimates[i] + PP_SAMPLE_DISCRETE_UNIFORM * total / some)
+           / ((1.0 + PP_SAMPLE_DISCRETE_UNIFORM) * total);
+}
+
 #endif

@@ -132,19 +132,18 @@ double pp_window_images_pdf(const struct pp_light_scene *scene, int reflector,
                             int window, const struct pp_image_viewer *viewer,
                             struct pp_vec3 to)
 {
-    double own = 0.0, all = 0.0;
+    double importance[MOST_IMAGES], chosen;
     int found = -1;
     for (int i = 0; i < scene->window_image_count; i++) {
-        double importance = importance_of(scene, viewer, i);
-        all += importance;
-        if (scene->window_images[i].reflector != reflector
-            || scene->window_images[i].window != window)
-            continue;
-        found = i;
-        own = importance;
+        importance[i] = importance_of(scene, viewer, i);
+        if (scene->window_images[i].reflector == reflector
+            && scene->window_images[i].window == window)
+            found = i;
     }
-    if (found < 0 || !(own > 0.0))
+    if (found < 0 || !(importance[found] > 0.0))
         return 0.0;
+    chosen = pp_sample_discrete_defensive_probability(importance,
+                                                      scene->window_image_count, found);
     struct pp_image_viewer behind;
     struct pp_polygon_sampler sampler;
     image_of(&scene->reflectors[reflector], viewer, &behind);
@@ -161,5 +160,5 @@ double pp_window_images_pdf(const struct pp_light_scene *scene, int reflector,
     double x = pp_vec_dot(in, target.along), y = pp_vec_dot(in, target.up);
     if (x < 0.0 || x > target.width_m || y < 0.0 || y > target.height_m)
         return 0.0;
-    return own / all * pp_sample_polygon_pdf(&sampler, to);
+    return chosen * pp_sample_polygon_pdf(&sampler, to);
 }
