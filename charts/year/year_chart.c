@@ -10,6 +10,8 @@
 #include "charts/year/colour_scale.h"
 #include "charts/year/depth_profile.h"
 #include "model/results/lattice.h"
+#include "model/results/sheets/lm83_grid.h"
+#include "model/results/sheets/point_areas.h"
 
 static const struct pp_colour_scale lux_scale = {
     {0.0, 1.0, 100.0, 300.0, 500.0, 1000.0, 3000.0}, " lx"};
@@ -306,6 +308,7 @@ static void draw_depth(const struct year_plot *plot,
 
 static void say_year(char *foot, size_t room, const struct pp_annual_sheet *sheet)
 {
+    char grid[PP_LM83_GRID_WORDS];
     if (sheet->has_blinds)
         pp_page_say(foot, room, "sDA300/50 %.1f %%,", 100.0 * sheet->plane.sda.value);
     pp_page_say(foot, room, "DA300/50 area without blinds %.1f %%,",
@@ -314,7 +317,11 @@ static void say_year(char *foot, size_t room, const struct pp_annual_sheet *shee
         pp_page_say(foot, room, "ASE1000,250 %.1f %%", 100.0 * sheet->plane.ase.value);
     else
         pp_page_say(foot, room, "ASE not known, as the weather has no direct sun,");
-    pp_page_say(foot, room, "of %d points.", sheet->receiver_count);
+    pp_page_say(foot, room,
+                pp_point_areas_differ(sheet->receivers, sheet->receiver_count)
+                    ? "of the plane, by %d points."
+                    : "of %d points.",
+                sheet->receiver_count);
     struct pp_annual_leed leed = pp_annual_sheet_leed(sheet);
     if (!leed.why_not)
         pp_page_say(foot, room,
@@ -324,6 +331,9 @@ static void say_year(char *foot, size_t room, const struct pp_annual_sheet *shee
                         ? "; ASE is above 10 %: explain how the space is protected "
                           "from glare"
                         : "");
+    pp_lm83_grid_words(grid, sheet);
+    if (!leed.why_not && grid[0])
+        pp_page_say(foot, room, "Note: %s.", grid);
     pp_page_say(foot, room, "Weather: %s. Hours: %s. Blinds: %s.", sheet->weather,
                 sheet->period, sheet->blinds);
     for (int i = 0; i < sheet->warning_count; i++)

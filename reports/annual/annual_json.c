@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "model/results/sheets/lm83_grid.h"
 #include "model/results/sheets/point_areas.h"
 #include "reports/annual/annual_figure.h"
 #include "reports/annual/annual_hourly.h"
@@ -87,6 +88,9 @@ static bool add_plane(struct json_object *object, const struct pp_annual_result 
         && (leed.why_not ? pp_json_text(credit, "why", leed.why_not)
                          : pp_json_add(credit, "ase_to_explain",
                                        json_object_new_boolean(leed.ase_to_explain)));
+    char grid[PP_LM83_GRID_WORDS];
+    pp_lm83_grid_words(grid, sheet);
+    good = good && (leed.why_not || !grid[0] || pp_json_text(credit, "grid", grid));
     struct json_object *mean = json_object_new_object();
     return good && pp_json_add(object, "average", mean)
            && add_figures(mean, sheet, &sheet->mean)

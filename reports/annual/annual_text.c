@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "model/results/sheets/lm83_grid.h"
 #include "model/results/sheets/point_areas.h"
 #include "reports/annual/hand_year_report.h"
 #include "reports/annual/lighting_report.h"
@@ -77,9 +78,12 @@ static void print_levels(const struct text_page *page)
 static void print_leed(const struct text_page *page)
 {
     struct pp_annual_leed leed = pp_annual_sheet_leed(page->sheet);
-    char text[240];
-    if (leed.why_not)
+    char text[240], grid[PP_LM83_GRID_WORDS];
+    if (leed.why_not) {
+        snprintf(text, sizeof text, "option 1: no result, because %s", leed.why_not);
+        print_annual_fact(page, "LEED v4.1", text);
         return;
+    }
     snprintf(text, sizeof text,
              "option 1: %d point%s, if this room represents all regularly occupied "
              "floor area (mean sDA 40, 55, 75 %%: 1, 2, 3 points)%s",
@@ -88,6 +92,9 @@ static void print_leed(const struct text_page *page)
                  ? "; ASE is above 10 %: explain how the space is protected from glare"
                  : "");
     print_annual_fact(page, "LEED v4.1", text);
+    pp_lm83_grid_words(grid, page->sheet);
+    if (grid[0])
+        print_annual_fact(page, "grid", grid);
 }
 
 static void print_plane(const struct text_page *page)

@@ -7,6 +7,7 @@
  * Thresholds are those of public descriptions of the credit; its text was not available.
  * The room represents all regularly occupied area.
  */
+#include "model/results/sheets/lm83_grid.h"
 #include "studies/criteria/criteria.h"
 #include "studies/criteria/rules/rule_year.h"
 
@@ -20,6 +21,8 @@ static enum pp_status add_credit_points(const struct pp_annual_sheet *year,
     static const char *const names[] = {"sDA300/50, 1 point", "sDA300/50, 2 points",
                                         "sDA300/50, 3 points"};
     enum pp_status status = PP_OK;
+    char grid[PP_LM83_GRID_WORDS];
+    pp_lm83_grid_words(grid, year);
     for (int i = 0; i < 3 && status == PP_OK; i++) {
         struct pp_finding finding =
             pp_rule_year_share(&year->plane.sda, steps[i], false, names[i]);
@@ -28,6 +31,8 @@ static enum pp_status add_credit_points(const struct pp_annual_sheet *year,
             pp_finding_note(&finding,
                             "LEED uses the mean of all regularly occupied area, which "
                             "this room represents here");
+        if (i == 0 && grid[0])
+            pp_finding_note(&finding, "; %s", grid);
         status = pp_finding_list_add(findings, &finding, err);
     }
     return status;

@@ -21,6 +21,8 @@ check "it names its assumptions" shows "LM-83-12" $annual "$room"
 check "the error of patches is said" shows "discretisation" $annual "$room"
 check "and is in JSON" shows '"sky_rms_percent"' $annual -f json "$room"
 check "it says that points do not form a grid" shows "no grid" $annual "$room"
+check "so that LEED has no result" grep -q \
+    "LEED v4.1 *option 1: no result, because the points do not form a grid" "$scratch/out"
 # lacks TEXT WORDS: the output does not contain this text.
 lacks() {
     text=$1
@@ -116,6 +118,8 @@ run annual -w "$scratch/year.epw" -f json "$scratch/grid.xml"
 sda=$(awk -F'[:,]' '/"sda300/ { printf "%.3g", $3 }' "$scratch/out")
 leed="assess --for leed-v4.1 -w $scratch/year.epw"
 run $leed "$scratch/grid.xml"
+check "a grid that is not that of LM-83" grep -q \
+    "grid is not that of LM-83: 0.85 m above the" "$scratch/out"
 check "LEED's area is that of annual" grep -q "sDA300/50, 1 point  *$sda %" "$scratch/out"
 check "points that are no grid have no verdict" shows "not applicable" $leed "$room"
 check "LEED needs weather" refuses 2 "--weather" assess --for leed-v4.1 "$room"

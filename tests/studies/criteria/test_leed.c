@@ -1,7 +1,9 @@
 /* test_leed.c - LEED points for a year whose areas are known. */
 #include "studies/criteria/criteria.h"
+#include <stdio.h>
 #include <string.h>
 
+#include "model/results/sheets/lm83_grid.h"
 #include "studies/criteria/rules/rule_set.h"
 #include "tests/lib/room_of.h"
 
@@ -120,9 +122,44 @@ static void no_points_without_grid_blinds_or_year(void **state)
     pp_finding_list_clear(&findings);
 }
 
+/* Words on the grid of a room of 3.6 x 4.8 m with these elements. */
+static void words_of_grid(char words[PP_LM83_GRID_WORDS], const char *elements)
+{
+    char xml[400];
+    snprintf(xml, sizeof xml,
+             "<room version='1'><plan width='3.6' depth='4.8' height='2.6'/>%s</room>",
+             elements);
+    struct pp_world *world = pp_test_world(xml);
+    const struct pp_annual_sheet sheet = {.world = world,
+                                          .receivers = world->receivers,
+                                          .receiver_count = world->receiver_count,
+                                          .is_grid = true};
+    pp_lm83_grid_words(words, &sheet);
+    pp_world_destroy(world);
+}
+
+/* The default grid leaves out 0.5 m along the walls: 2.6 x 3.8 = 9.88 of 3.6 x 4.8 =
+ * 17.28 m2. */
+static void a_grid_that_is_not_that_of_lm83_is_named(void **state)
+{
+    (void)state;
+    char words[PP_LM83_GRID_WORDS];
+    words_of_grid(words, "");
+    assert_non_null(strstr(words, ": 0.85 m above the floor instead of 0.76 m"));
+    assert_non_null(strstr(words, ", only 9.88 of the 17.3 m2 of the plane;"));
+    assert_null(strstr(words, "apart"));
+    words_of_grid(words,
+                  "<working-plane height='0.76'/><grid spacing='0.9' margin='0'/>");
+    assert_non_null(strstr(words, "LM-83: points 0.90 m apart, not 0.6 m;"));
+    words_of_grid(words,
+                  "<working-plane height='0.76'/><grid spacing='0.6' margin='0'/>");
+    assert_string_equal(words, "");
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_grid_that_is_not_that_of_lm83_is_named),
         cmocka_unit_test(each_threshold_that_is_reached_is_a_point),
         cmocka_unit_test(sun_on_15_percent_fails_version_4_alone),
         cmocka_unit_test(without_direct_sun_no_points_are_given),
