@@ -1,14 +1,17 @@
 /* test_assess_examples.c - the findings of `pepperpot assess` for the examples compared
  * with rays tested against every polygon (sight.h), formulae with the dimensions
- * entered below, and counts of points. Runs ./pepperpot. */
+ * entered below, and areas of points. Runs ./pepperpot. */
 #include <json.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "methods/evaluate.h"
 #include "model/light/sun.h"
+#include "model/results/sheets/point_areas.h"
 #include "model/room/building.h"
 #include "model/room/room_light.h"
+#include "studies/criteria/grid/plane_grid.h"
+#include "tests/lib/laid_grid.h"
 #include "tests/lib/near.h"
 #include "tests/lib/sight.h"
 #include "tests/lib/sized.h"
@@ -411,52 +414,22 @@ enum { POINTS_MOST = 400 };
 struct points {
     struct pp_receiver list[POINTS_MOST];
     int count;
-    double values[POINTS_MOST]; /* in descending order */
-    double mean, average;       /* mean of the points; average over the whole plane */
+    struct {
+        double value, share;
+    } values[POINTS_MOST]; /* in descending order; with shares of the plane */
+    double mean, average;  /* mean of the points; average over the whole plane */
 };
 
 static int falling(const void *a, const void *b)
 {
-    double x = *(const double *)a, y = *(const double *)b;
+    double x = *(const double *)a, y = *(const double *)b; /* the first members */
     return (x < y) - (x > y);
-}
-
-/* The grid of EN 17037: centres of the cells within the plan's extent less 0.5 m. */
-static void lay_out(struct points *points, const struct pp_world *world)
-{
-    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
-    const struct pp_ring *ring = &world->plane.rings[0];
-    for (int i = 0; i < ring->count; i++)
-        for (int k = 0; k < 2; k++) {
-            low[k] = fmin(low[k], ring->xy[i][k] + 0.5);
-            high[k] = fmax(high[k], ring->xy[i][k] - 0.5);
-        }
-    double w = high[0] - low[0], d = high[1] - low[1];
-    double across = fmax(w, d) < 2.0 * fmin(w, d) ? fmax(w, d) : fmin(w, d);
-    double p = 0.5 * pow(across, 0.69897000433601880479); /* log10 5 */
-    int nx = (int)ceil(w / p - 1e-9), ny = (int)ceil(d / p - 1e-9);
-    points->count = 0;
-    for (int j = 0; j < ny; j++)
-        for (int i = 0; i < nx; i++) {
-            double x = low[0] + (i + 0.5) * w / nx, y = low[1] + (j + 0.5) * d / ny;
-            bool clear = pp_region_contains(&world->plane, x, y);
-            for (int k = 0; k < ring->count; k++) {
-                const double *a = ring->xy[k], *b = ring->xy[(k + 1) % ring->count];
-                double ux = b[0] - a[0], uy = b[1] - a[1];
-                double t = ((x - a[0]) * ux + (y - a[1]) * uy) / (ux * ux + uy * uy);
-                t = fmin(fmax(t, 0.0), 1.0);
-                clear &= hypot(x - a[0] - t * ux, y - a[1] - t * uy) > 0.5 - 1e-6;
-            }
-            if (clear)
-                points->list[points->count++] = (struct pp_receiver){
-                    {x, y, world->working_plane_m}, {0, 0, 1}, 0, 0.0};
-        }
 }
 
 static void fill(struct points *points, const struct pp_world *world,
                  const struct pp_outside_light *light)
 {
-    lay_out(points, world);
+    points->count = lay_out_largest_grid(points->list, world);
     struct pp_report report = {.world = world,
                                .light = *light,
                                .receivers = points->list,
@@ -470,23 +443,32 @@ static void fill(struct points *points, const struct pp_world *world,
         pair = pp_report_find(&report, PP_DF, "exact+split-flux");
     points->average =
         isnan(formula->average.value) ? pair->average.value : formula->average.value;
+    struct pp_receiver *grid; /* for the areas of points, as in test_plane_areas.c */
+    int count;
+    assert_int_equal(pp_plane_grid_largest(&grid, &count, world, NULL), PP_OK);
+    assert_int_equal(count, points->count);
+    double area_m2 = pp_point_areas_sum(grid, count);
     points->mean = 0.0;
     for (int i = 0; i < points->count; i++) {
-        points->values[i] = pair->points[i].value;
-        points->mean += points->values[i] / points->count;
+        points->values[i].value = pair->points[i].value;
+        points->values[i].share = grid[i].area_m2 / area_m2;
+        points->mean += points->values[i].value * points->values[i].share;
     }
-    qsort(points->values, (size_t)points->count, sizeof(double), falling);
+    qsort(points->values, (size_t)points->count, sizeof *points->values, falling);
+    free(grid);
     pp_report_clear(&report);
 }
 
-/* The daylight factor that this share of the points reaches, in per cent. */
+/* The daylight factor that this share of the plane reaches, in per cent. */
 static double reached_by(const struct points *points, int per_cent)
 {
-    int wanted = (points->count * per_cent + 99) / 100;
-    double next =
-        points->values[2 * wanted == points->count && per_cent == 50 ? wanted
-                                                                     : wanted - 1];
-    return 100.0 * 0.5 * (points->values[wanted - 1] + next);
+    int i = 0;
+    double sum = points->values[0].share, part = 0.01 * per_cent;
+    while (sum < part - 1e-9)
+        sum += points->values[++i].share;
+    bool half_way = per_cent == 50 && sum < part + 1e-9;
+    return 100.0 * 0.5
+           * (points->values[i].value + points->values[half_way ? i + 1 : i].value);
 }
 
 static void daylight_provision_agrees(void **state)
@@ -520,13 +502,14 @@ static void daylight_provision_agrees(void **state)
             assert_finding(&rooms[i], targets[t].criterion, targets[t].of,
                            reached_by(&points, targets[t].per_cent), 1e-6, wanted,
                            false);
-            int reach = 0;
-            while (reach < points.count && 100.0 * points.values[reach] >= wanted)
-                reach++;
+            double reach = 0.0;
+            for (int k = 0; k < points.count; k++)
+                if (100.0 * points.values[k].value >= wanted)
+                    reach += points.values[k].share;
             assert_near(json_object_get_double(field(
                             finding(&rooms[i], targets[t].criterion, targets[t].of),
                             "reached_over")),
-                        100.0 * reach / points.count, 1e-6);
+                        100.0 * reach, 1e-6);
         }
     }
 }
@@ -543,7 +526,7 @@ static void averages_and_uniformity_agree(void **state)
         assert_finding(&rooms[i], "average", "kitchen", average, 1e-6, 2.0, false);
         bool roof = strcmp(facts[i].file, "studio") == 0;
         assert_finding(&rooms[i], "uniformity", "minimum",
-                       points.values[points.count - 1] / points.mean, 1e-6,
+                       points.values[points.count - 1].value / points.mean, 1e-6,
                        roof ? 0.7 : 0.3, false);
     }
 }
