@@ -86,7 +86,8 @@ enum pp_status pp_room_options_settle_by_hand(struct pp_room_options *options,
                                               struct pp_error *err);
 
 /* Checks the options; PP_BAD_INPUT if they are inconsistent. If no option ends the
- * simulation, sets the target standard error to 1 %. */
+ * simulation, sets the target standard error to 1 %. Also sets the first run of a
+ * sweep. */
 enum pp_status pp_room_options_settle(struct pp_room_options *options,
                                       struct pp_error *err);
 

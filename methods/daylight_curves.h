@@ -27,7 +27,7 @@ struct pp_method; /* methods/method.h */
  *
  * irc: internally reflected component added everywhere, a fraction, and irc_name the
  * name of its method ("bre"); irc_name NULL: nothing is added, and the name is "exact".
- * levels: daylight factors to contour, fractions, ascending; level_count 0: about seven
+ * levels: daylight factors to contour, fractions, ascending; level_count 0: up to 14
  * round levels (0.5, 1, 2, 3, 5, 10 per cent ...) within the room's range. */
 enum pp_status pp_daylight_curves(struct pp_daylight_plan *plan,
                                   const struct pp_world *world,

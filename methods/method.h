@@ -118,8 +118,8 @@ struct pp_method {
                            const struct pp_opening *opening,
                            const struct pp_receiver *receiver);
 
-    /* `refuses` does not depend on the receiver: it is called once for each opening of a
-     * room, not again for each receiver. */
+    /* `refuses` does not depend on the receiver: it is called once for each opening of
+     * a room, not again for each receiver. */
     bool refuses_alike;
 
     /* Makes the tools that serve for all points of one world under one light, such as a

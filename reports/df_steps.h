@@ -7,8 +7,9 @@
 
 #include "model/results/report.h"
 
-/* Prints the steps of the calculation for the report's first point, method by method.
- * Prints nothing if no steps were requested. */
+/* Prints the steps of the calculation for the report's first point, method by method;
+ * for a method without values at points, those for the average. Prints nothing if no
+ * steps were requested. */
 void pp_df_steps(const struct pp_report *report, int width, bool utf8, FILE *out);
 
 /* Prints a list of steps. Steps of an opening follow the opening's name. */

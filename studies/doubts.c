@@ -7,9 +7,10 @@
 #include "model/light/rough/rough_finishes.h"
 #include "studies/criteria/capitals.h"
 
-/* Angular distances from the capital of a country. Places in the country are nearer
- * than far_rad. If latitude and longitude were swapped, swapping them back gives a
- * place at most near_rad away. La Reunion, swapped, is 16 degrees from Paris. */
+/* Angular distances from the capital of a country. A position is doubted if it is more
+ * than far_rad away and, with latitude and longitude swapped, less than near_rad away.
+ * La Reunion is far from Paris, and 16 degrees away when swapped; it must not be
+ * doubted. */
 static const double far_rad = 40.0 * PP_RAD, near_rad = 12.0 * PP_RAD;
 
 /* Extent of the envelope in x, y and z. */

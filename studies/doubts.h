@@ -25,7 +25,7 @@
  * - a room, block or mesh whose size suggests another unit;
  * - a frame factor or maintenance that looks like a loss;
  * - an opening without a counterpart in the coarse model of the building;
- * - the data of a measured pane (bsdf.h);
+ * - doubts about the data of a measured pane (bsdf.h);
  * - a physically rough material with too steep slopes;
  * - latitude and longitude that are far from the site's country, but near it when
  *   swapped;

@@ -11,8 +11,7 @@
 
 struct pp_plan_study {
     struct pp_daylight_plan plan;
-    struct pp_report report;  /* report with the room's points; also with grid points if
-                               * they are used for the figures of the plane */
+    struct pp_report report;  /* report at the room's points */
     struct pp_column figures; /* values at the receivers of the report, and figures of
                                * the plane */
     char note[320]; /* states that another method replaces the usual one, or, for

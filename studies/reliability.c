@@ -20,11 +20,10 @@ const char *const pp_reliability_names[PP_RELIABILITY_KINDS] = {
     [PP_RELIABILITY_GROUND] = "ground",
 };
 
-/* Thresholds above which hand methods are unreliable. In 29 of the example and trial
- * rooms, simulation changes the verdict. All but one of these rooms exceed a threshold;
- * the exception is an average by average-df, noted in studies/criteria/averages.c. In
- * rooms below the thresholds, values by hand were 0.76 to 1.14 times the simulated
- * values. */
+/* Thresholds of reliability.h. In 29 of the example and trial rooms, simulation changes
+ * the verdict. All but one of these rooms exceed a threshold; the exception is an
+ * average by average-df, noted in studies/criteria/averages.c. In rooms below the
+ * thresholds, values by hand were 0.76 to 1.14 times the simulated values. */
 static const double outside_share = 0.3, inside_share = 0.65;
 static const double deep = 2.0, ground_off = 0.3;
 

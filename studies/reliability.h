@@ -35,9 +35,8 @@ extern const char *const pp_reliability_names[PP_RELIABILITY_KINDS];
 
 struct pp_reliability {
     bool is[PP_RELIABILITY_KINDS];
-    double share[PP_RELIABILITY_KINDS]; /* value compared with the threshold: a
-                                         * fraction, depth divided by width, or ground
-                                         * reflectance */
+    double share[PP_RELIABILITY_KINDS]; /* a fraction, depth divided by width, or the
+                                         * room's ground reflectance */
     bool any;
     char grounds[320]; /* sentence, without full stop, on methods whose built-in ground
                         * reflectance differs from that of the room; empty: none */

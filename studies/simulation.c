@@ -149,8 +149,8 @@ static double times_wanted(const struct pp_simulation *simulation,
     return isfinite(reading->std_error) ? reading->std_error / wanted : 0.0;
 }
 
-/* Adds a note to the report if the standard errors of the column are much larger than
- * the target. */
+/* Adds a note to the report if a standard error of the column is more than MISSED times
+ * its target. */
 static enum pp_status say_missed(struct pp_report *report,
                                  const struct pp_simulation *simulation,
                                  const struct pp_column *column, struct pp_error *err)

@@ -1,6 +1,6 @@
 /* study_report.h - one room's report: results of the methods and of the simulation.
  *
- * Only this file uses both methods and simulation; neither depends on the other. */
+ * Methods and simulation do not depend on each other; this file combines them. */
 #ifndef PP_STUDIES_STUDY_REPORT_H
 #define PP_STUDIES_STUDY_REPORT_H
 
@@ -42,9 +42,9 @@ enum pp_status pp_study_report_traced_direct(struct pp_report *report,
                                              const struct pp_study_options *options,
                                              bool *by_clock, struct pp_error *err);
 
-/* Simulates by any engine, with error, samples, seed and threads of the study options.
- * kept (may be NULL): data with which a later run can begin, freed by the caller. There
- * are no data after a stop. */
+/* Simulates by any engine, with error, samples, time limit, seed and threads of the
+ * study options. kept (may be NULL): data with which a later run can begin, freed by
+ * the caller. There are no data after a stop. */
 struct pp_kept_bytes {
     char *bytes;
     size_t length;

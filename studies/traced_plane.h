@@ -2,18 +2,18 @@
  * interpolated between simulated points.
  *
  * The points are the centres of squares that cover the plane. Squares near openings,
- * where daylight factors are steep, are a half or a quarter as large. Daylight factors
- * have kinks where the edge of a visible part of the sky appears, which a fit of so few
- * points cannot follow. Therefore the direct component of `exact`, known at every
- * place, is subtracted from the simulated factors at the points and added again at the
- * place: the sky component, and the externally reflected component times the factor
- * that fits the simulation best. The latter need not be accurate, since the same amount
- * is subtracted and added. Nothing is subtracted if `exact` does not cover the room: light
- * that blinds scatter has no kinks.
+ * where daylight factors are steep, have a half or a quarter of the side length.
+ * Daylight factors have kinks where the edge of a visible part of the sky appears,
+ * which a fit of so few points cannot follow. Therefore the direct component of
+ * `exact`, known at every place, is subtracted from the simulated factors at the points
+ * and added again at the place: the sky component, and the externally reflected
+ * component times the factor that fits the simulation best. The latter need not be
+ * accurate, since the same amount is subtracted and added. Nothing is subtracted if
+ * `exact` does not cover the room: light that blinds scatter has no kinks.
  *
  * The remainder is smooth. It is interpolated by a moving least squares fit of a
  * quadratic (moving_fit.h) to the points that are visible from the position, with
- * weights (1 - d²/R²)² and R about 2.5 times the side of a square. Points behind the
+ * weights (1 - d²/R²)² and R at least 2.6 times the side of a square. Points behind the
  * corner of a wall, or behind a partition at the height of the plane, are not visible.
  * The standard error of the fit follows from the errors of the points and from their
  * correlation (common_error.h).

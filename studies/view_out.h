@@ -12,9 +12,9 @@
  *                below the horizon) and ground
  *
  * The standard does not define the distance; these rules are documented by
- * ClimateStudio. An opening is counted if its glass is clear and inclined by at most 45
- * degrees from the vertical. Distance and layers are found by lines of sight that are
- * spread evenly over each opening.
+ * ClimateStudio. An opening is counted if it has no blind, and its glass is clear and
+ * slopes at most 45 degrees from the vertical. Distance and layers are found by lines
+ * of sight that are spread evenly over each opening.
  */
 #ifndef PP_STUDIES_VIEW_OUT_H
 #define PP_STUDIES_VIEW_OUT_H

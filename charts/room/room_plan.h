@@ -11,8 +11,8 @@
 void pp_room_plan_fit(struct pp_room_plan *plan, const struct pp_world *world,
                       const struct pp_style *style, double width_mm, double height_mm);
 
-/* Denominator of the largest usual scale (1:20, 25, 50, 75, 100, 125, 200, 250, 500,
- * 750 ... as on scale rules) that is not larger than 1:least. */
+/* Denominator of the largest usual scale (1:1, 2, 5, 10, 20, 25, 50, 75, 100, 125, 200,
+ * 250, 500, 750 ... as on scale rules) that is not larger than 1:least. */
 double pp_room_plan_usual_scale(double least);
 
 /* Width (mm) of the border outside the plane on one side: space for walls, reveals,

@@ -76,7 +76,7 @@ enum pp_status pp_canvas_next_sheet(struct pp_canvas *canvas, struct pp_error *e
 
 /* Adds an entry to the outline of the PDF, with y_mm on this sheet as its target. Does
  * nothing in other formats. level: 1 for the first entry, then at most one more than
- * the level of the previous entry; entries above level 3 are ignored. */
+ * the level of the previous entry; entries of level 4 or more are ignored. */
 void pp_canvas_add_outline(struct pp_canvas *canvas, int level, const char *title,
                            double y_mm);
 

@@ -276,7 +276,8 @@ static void draw_depth_curve(const struct year_plot *plot, const struct pp_axis 
     cairo_stroke(plot->cr);
 }
 
-/* Draws daylight autonomy against distance from the main window wall. */
+/* Draws daylight autonomy and useful illuminance against distance from the main window
+ * wall. */
 static void draw_depth(const struct year_plot *plot,
                        const struct pp_depth_profile *profile, struct pp_box box)
 {
@@ -340,8 +341,8 @@ static void say_year(char *foot, size_t room, const struct pp_annual_sheet *shee
         pp_page_say(foot, room, "Warning: %s.", sheet->warnings[i]);
 }
 
-/* Draws plans, if the points are a grid; a curve over illuminance; and, if the room has
- * a vertical window, a curve over depth. */
+/* Draws plans, if the points are a grid; curves over illuminance; and, if there are
+ * points at several distances from a window wall, curves over distance. */
 static void draw_lower_panels(const struct year_plot *plot,
                               const struct pp_depth_profile *profile, struct pp_box box)
 {

@@ -1,7 +1,8 @@
 /* year_chart.h - daylight in a room through a year on one sheet: a map of days and
- * hours, plans of daylight autonomy and sun hours if the points are a grid, and two
- * curves. One is the fraction of occupied hours in which each illuminance is reached.
- * The other is daylight autonomy against distance from the main window wall.
+ * hours, plans of daylight autonomy, useful illuminance and sun hours if the points are
+ * a grid, and two panels of curves. One shows the fraction of occupied hours in which
+ * each illuminance is reached. The other shows daylight autonomy and useful illuminance
+ * against distance from the main window wall.
  *
  * Colours range from dark to light, so that their order is also visible in grey.
  */

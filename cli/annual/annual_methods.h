@@ -20,7 +20,7 @@ struct pp_annual_methods {
 extern const struct pp_option pp_annual_methods_options[];
 
 /* Finds the methods by name. PP_BAD_INPUT if an option lacks another option that it
- * requires. */
+ * requires. csv: the results are written as CSV, which excludes explanations. */
 enum pp_status pp_annual_methods_settle(struct pp_annual_methods *methods, bool csv,
                                         struct pp_error *err);
 

@@ -48,7 +48,8 @@ struct pp_assess_words {
     struct pp_section_place cut; /* position of the sections in a report */
     double french_m;     /* height of the reference point on French windows, m; 0:
                           * middle of the window */
-    const char *weather; /* weather file for the median; NULL: none */
+    const char *weather; /* weather file for the median, the probability of sunshine and
+                          * a simulated year; NULL: none */
     struct pp_sunshine sunshine;  /* probability of sunshine from the weather file */
     struct pp_year_options light; /* contents of the weather file, once loaded */
     struct pp_weather_year year;  /* hours of the weather file, if a criterion needs a
@@ -60,9 +61,9 @@ struct pp_assess_words {
                                 * the room file */
     bool with_year;            /* report: include a section on the simulated year */
     bool full;                 /* report: print all sections for every room */
-    int gains_rooms;           /* report: improvements are searched for at most this
-                                * many rooms, because a longer report does not show
-                                * them; 0: for any number */
+    int gains_rooms;           /* report: improvements are searched for only if there
+                                * are at most this many rooms, because a longer report
+                                * does not show them; 0: any number */
     bool of_averages;          /* report: averages are printed, so the target error of
                                 * the simulation applies to averages too */
 };

@@ -5,14 +5,14 @@
  * are on the working plane), nx, ny and nz (without them the points face up), and one
  * column of values, whose name gives the unit:
  *
- *     df_percent, value_percent, percent, df_%, df [%]
+ *     df_percent, value_percent, percent, df_%, df [%], daylight factor [%]
  *     df_fraction, fraction
- *     lux, lx, illuminance, illuminance_lx, e_lx, e [lx]
+ *     lux, lx, illuminance, illuminance_lx, e_lx, e [lx], illuminance [lx]
  *     df, daylight_factor, value          the unit is given by the user
  *
- * A file that begins with a number has no header, and one value per line. If semicolons
- * or tabs separate the columns, a comma is a decimal comma. A name may be followed by a
- * unit in brackets: "x [m]".
+ * The units m, % and lx may also be in parentheses: "x [m]" or "x (m)". A file that
+ * begins with a number has no header, and one value per line. If semicolons or tabs
+ * separate the columns, a comma is a decimal comma.
  *
  * The columns label, name, point and id are ignored. Without x and y the values belong
  * to the room's own points, in their order. Empty lines and lines that begin with "#"

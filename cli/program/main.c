@@ -136,8 +136,8 @@ static void occupy_standard_streams(void)
             open("/dev/null", file == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
-/* Errors for which GLib, below Pango, would abort: it cannot start a thread or allocate
- * memory. */
+/* Reports an error for which GLib, used by Pango, would abort, and exits: GLib cannot
+ * start a thread or allocate memory. Passes on other messages. */
 static GLogWriterOutput write_glib_log(GLogLevelFlags level, const GLogField *fields,
                                        gsize count, gpointer data)
 {

@@ -1,4 +1,5 @@
-/* mpirun.c - reads the environment variables that mpirun and srun set for each rank. */
+/* mpirun.c - reads the environment variables that mpirun and srun set for each rank,
+ * and loads the MPI module. */
 #include "cli/ranks/mpirun.h"
 
 #include <dlfcn.h>

@@ -26,9 +26,9 @@ struct pp_diffusing_pane {
     double error; /* estimated error of the flux on the pane, relative */
 };
 
-/* Calculates the illuminance of the outside of an opening's pane. by_table: for skies of
- * ISO 15469 by a table of the sky (sky_table.h), to 1e-6 of the open sky, instead of by
- * quadrature. */
+/* Calculates the illuminance of the outside of an opening's pane. by_table: for skies
+ * of ISO 15469 by a table of the sky (sky_table.h), to 1e-6 of the open sky, instead of
+ * by quadrature. */
 enum pp_status pp_diffusing_pane_init(struct pp_diffusing_pane *pane,
                                       const struct pp_world *world,
                                       const struct pp_outside_light *light,

@@ -20,8 +20,8 @@
  * and skylines without a distance), otherwise to 1e-6 by polynomials over parts of the
  * pane (diffusing_pane.h lists cases with larger errors). The illuminance of such panes
  * is calculated once for a room if the method is prepared, else again for each
- * receiver. The numbers are the same, except under skies of ISO 15469: a prepared method
- * has a table of the sky, with errors up to 1e-6 of the open sky.
+ * receiver. The numbers are the same, except under skies of ISO 15469: a prepared
+ * method has a table of the sky, with errors up to 1e-6 of the open sky.
  */
 #include "methods/method.h"
 #include "methods/refusals.h"

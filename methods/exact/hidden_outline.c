@@ -146,8 +146,8 @@ static enum pp_status find_single(struct sky_outline *outline, struct pp_error *
 
 /* ---- columns ---- */
 
-/* Adds a column at a bearing: the merged spans there of all cones that hide something at
- * step `step` or, if the bearing is between steps, at this or the next step. */
+/* Adds a column at a bearing: the merged spans there of all cones that hide something
+ * at step `step` or, if the bearing is between steps, at this or the next step. */
 static enum pp_status add_sky_column(struct sky_outline *outline, double bearing,
                                      int step, struct pp_error *err)
 {

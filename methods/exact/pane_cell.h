@@ -1,6 +1,5 @@
-/* pane_cell.h - a rectangle of a diffusing pane, with the illuminance of its outside as a
- * polynomial: its values at 7 x 7 Chebyshev nodes.
- */
+/* pane_cell.h - a rectangle of a diffusing pane, with the illuminance of its outside as
+ * a polynomial: its values at 7 x 7 Chebyshev nodes. */
 #ifndef PP_METHODS_EXACT_PANE_CELL_H
 #define PP_METHODS_EXACT_PANE_CELL_H
 
@@ -30,7 +29,7 @@ struct pp_pane_cell_seen {
     double distance_m;
 };
 
-/* Nodes from -1 to 1, the zeros of the Chebyshev polynomial: -cos((2 i + 1) pi / 14). */
+/* Nodes from -1 to 1: the zeros of the Chebyshev polynomial, -cos((2 i + 1) pi/14). */
 extern const double pp_pane_cell_nodes[PP_PANE_CELL_NODES];
 
 /* Weights of the values at the nodes for interpolation at t, from -1 to 1: Lagrange

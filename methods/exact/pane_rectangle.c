@@ -1,5 +1,5 @@
-/* pane_rectangle.c - finds the rectangles, and integrates over them by the rule of Fejer
- * in both directions. */
+/* pane_rectangle.c - finds the rectangles, and integrates over them by the rule of
+ * Fejer in both directions. */
 #include "methods/exact/pane_rectangle.h"
 
 #include "model/geometry/min_max.h"
@@ -86,8 +86,8 @@ static bool do_boxes_overlap(const struct pp_bounds2 *a, const struct pp_bounds2
            && a->high[1] > b->low[1];
 }
 
-/* True if the part is visible, and crossed by no edge of the visible part of the pane and
- * by no horizon of the receiver. */
+/* True if the part is visible, and crossed by no edge of the visible part of the pane
+ * and by no horizon of the receiver. */
 static bool is_seen_whole(const struct pp_pane_cell_seen *seen,
                           const struct pp_bounds2 *part,
                           const struct pp_visible *visible, struct pp_vec3 normal)
@@ -125,7 +125,8 @@ static bool is_seen_whole(const struct pp_pane_cell_seen *seen,
 }
 
 /* Finds the nodes of the part along an axis, and the values of the polynomial there as
- * weights of those at the nodes of the cell. Returns true if both have the same nodes. */
+ * weights of those at the nodes of the cell. Returns true if both have the same
+ * nodes. */
 static bool nodes_along(double at[NODES], double weights[NODES][NODES],
                         const struct pp_pane_cell_seen *seen,
                         const struct pp_bounds2 *part, int axis)

@@ -18,8 +18,8 @@ struct pp_bounds2 pp_pane_rectangle_around(const struct pp_pane_cell_seen *seen,
                                            const struct pp_visible *visible,
                                            struct pp_vec3 normal);
 
-/* Adds the light of the cell's part within `bounds`, before division by pi, to
- * sum->sky and sum->external: to 1e-8, or to 1e-5 if sum->rough. Returns false, and adds
+/* Adds the light of the cell's part within `bounds`, before division by pi, to sum->sky
+ * and sum->external: to 1e-8, or to 1e-5 if sum->rough. Returns false, and adds
  * nothing, if the part is too near, or not all of it is visible. */
 bool pp_pane_rectangle_add(struct pp_direct *sum, const struct pp_pane_cell_seen *seen,
                            const struct pp_bounds2 *bounds,

@@ -1,4 +1,5 @@
-/* sky_view.h - the sky and the sun that a point sees through clear openings, for any hour.
+/* sky_view.h - the sky and the sun that a point sees through clear openings, for any
+ * hour.
  *
  * The view through each opening is the same all year and is found once
  * (methods/view/visible.h). The sun of every hour is tested against this view. For the

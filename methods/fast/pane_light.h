@@ -12,8 +12,8 @@
 /* Tables of an opening (pane_tables.h makes them); not owned. */
 struct pp_pane_light {
     const struct pp_axial_table *glass; /* table of clear glass; NULL: other glass */
-    /* Table about the zenith for a sky of ISO 15469 that does not depend on the sun; NULL:
-     * another sky. */
+    /* Table about the zenith for a sky of ISO 15469 that does not depend on the sun;
+     * NULL: another sky. */
     const struct pp_axial_table *gradation;
     const struct pp_sky_table *sky; /* NULL: not created, or not needed */
     /* Axes of the table of the sky; NULL: those of each view. */

@@ -1,5 +1,5 @@
-/* nomogram_position.h - the reading of one opening on nomogram IV: the internally reflected
- * component at a point, by the formula of `irc-atlas` [ATLAS]. */
+/* nomogram_position.h - the reading of one opening on nomogram IV: the internally
+ * reflected component at a point, by the formula of `irc-atlas` [ATLAS]. */
 #ifndef PP_METHODS_NOMOGRAM_NOMOGRAM_POSITION_H
 #define PP_METHODS_NOMOGRAM_NOMOGRAM_POSITION_H
 

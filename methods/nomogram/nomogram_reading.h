@@ -29,7 +29,7 @@ enum pp_status pp_nomogram_reading_of_opening(struct pp_nomogram_reading *readin
 void pp_nomogram_reading_lay(struct pp_nomogram_reading *reading,
                              const struct pp_nomogram *nomogram, int index);
 
-/* Sets W/A times the power of ten that brings it into the range of scale A, and R on
+/* Sets W/S times the power of ten that brings it into the range of scale A, and R on
  * scale B. */
 void pp_nomogram_reading_set_room(struct pp_nomogram_reading *reading,
                                   const struct pp_nomogram *nomogram, double R);

@@ -2,9 +2,9 @@
  * [GEEBELEN], derived from the BRE formula, and readings of them.
  *
  * Nomogram I is for the average in side-lit rooms, II for the average and the minimum,
- * III for the average in top-lit rooms; CIE overcast sky, clear single glass. Nomogram IV is
- * for a point of a side-lit room, by the formula of `irc-atlas` [ATLAS]. The derivation is in
- * nomogram_scale.c.
+ * III for the average in top-lit rooms; CIE overcast sky, clear single glass. Nomogram
+ * IV is for a point of a side-lit room, by the formula of `irc-atlas` [ATLAS]. The
+ * derivation is in nomogram_scale.c.
  *
  * Values are in the units of enum pp_nomogram_quantity: ratios, fractions, radians.
  */

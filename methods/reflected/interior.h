@@ -4,9 +4,9 @@
  * Inside surfaces are the faces of the envelope without their openings, the openings
  * (with a reflectance of 0.1), the sides of reveals but not those of wells (well.h),
  * and both sides of free-standing surfaces in the room (of the faces of closed objects,
- * the front only). The lower and the upper part of
- * the room lie below and above a height; polygons across that height are cut. A
- * horizontal face at exactly that height belongs to the upper part if it faces down.
+ * the front only). The lower and the upper part of the room lie below and above a
+ * height; polygons across that height are cut. A horizontal face at exactly that height
+ * belongs to the upper part if it faces down.
  */
 #ifndef PP_METHODS_REFLECTED_INTERIOR_H
 #define PP_METHODS_REFLECTED_INTERIOR_H

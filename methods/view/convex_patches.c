@@ -183,8 +183,8 @@ static enum pp_status divide_by_one_light(struct pp_fragments *open,
     return status;
 }
 
-/* Divides the open part among the lights of the pieces. The indices of the lights become
- * the owners of the fragments. */
+/* Divides the open part among the lights of the pieces. The indices of the lights
+ * become the owners of the fragments. */
 static enum pp_status divide_by_lights(struct pp_fragments *open,
                                        struct pp_occluder_rings *rings,
                                        const struct lights *lights,

@@ -74,8 +74,8 @@ enum pp_status pp_waldram_scale_init_upright(struct pp_waldram *waldram,
 
 /* Direction of a point of a window's drawing in the diagram's axes: x to the right, y
  * ahead, z up; not of unit length. Ahead is the normal of a vertical receiver,
- * otherwise the horizontal direction perpendicular to `along`: that of `out`, unless the
- * opening is horizontal. */
+ * otherwise the horizontal direction perpendicular to `along`: that of `out`, unless
+ * the opening is horizontal. */
 struct pp_vec3 pp_waldram_scale_direction(const struct pp_waldram *waldram,
                                           const struct pp_window_axes *axes,
                                           const double xy[2]);
@@ -91,8 +91,8 @@ double pp_waldram_scale_y(const struct pp_waldram *waldram, double altitude_rad)
 /* Y of the altitude of a direction, of any length. */
 double pp_waldram_scale_y_toward(const struct pp_waldram *waldram, struct pp_vec3 u);
 
-/* Area of the map from azimuth -pi/2 to pi/2: 1/2 without glass for a receiver that faces
- * up. */
+/* Area of the map from azimuth -pi/2 to pi/2: 1/2 without glass for a receiver that
+ * faces up. */
 double pp_waldram_scale_total_area(const struct pp_waldram *waldram);
 
 /* Area on the diagram of a region of a window's drawing, for the diagram's own scales

@@ -47,7 +47,7 @@ enum pp_status pp_waldram_squares_count_outline(struct pp_waldram_count *count,
 void pp_waldram_squares_clear(struct pp_waldram_count *count);
 
 /* The region's outline on the diagram, in X and Y: droop lines as chords that deviate
- * by less than 1/500 of a square. Not cut at +-90 degrees; points below the horizon are
+ * by less than 0.003 squares. Not cut at +-90 degrees; points below the horizon are
  * moved up to the horizon. The caller clears the outline. */
 enum pp_status pp_waldram_squares_outline(struct pp_region *outline,
                                           const struct pp_waldram *waldram,

@@ -11,10 +11,10 @@
 
 /* Reads the file; path "-" is standard input. On success the caller frees *bytes, and a
  * NUL, which *length does not count, follows the last byte. *length is at most `most` +
- * 1; that value means that the file is larger than `most`.
- * PP_BAD_INPUT if there is no such file, if it is a directory or a device, or if a
- * stream is longer than PP_READ_FILE_STREAM_MOST. PP_INTERRUPTED after a signal;
- * PP_SYSTEM for other failures. */
+ * 1; that value means that the file is larger than `most`. PP_BAD_INPUT if there is no
+ * such file, if it is a directory or a device, if the path is empty, or if a stream is
+ * longer than PP_READ_FILE_STREAM_MOST and that is less than `most`. PP_INTERRUPTED
+ * after a signal; PP_SYSTEM for other failures. */
 enum pp_status pp_read_file(char **bytes, size_t *length, const char *path, size_t most,
                             struct pp_error *err);
 

@@ -30,8 +30,8 @@ int pp_text_edit_distance(const char *a, const char *b);
 
 /* Nearest of `count` names (count < 0: up to a NULL) to the typed text; the first of
  * several equally near. At most one letter, or a third of the letters of the longer
- * one, may differ. If no name is near, the first name that contains the text ("oak":
- * "oak-floor"). NULL if none is similar. */
+ * one, may differ. If no name is near, the first name that contains a text of three
+ * letters or more ("oak": "oak-floor"). NULL if none is similar. */
 const char *pp_text_nearest(const char *typed, const char *const *names, int count);
 
 /* Writes "did you mean NAME?" with NAME between `before` and `after` (quotation marks,

@@ -6,7 +6,7 @@
  *     power   = [-] power | primary [ ^ power ]
  *     primary = number | name | function ( sum {, sum} ) | ( sum )
  *
- * A minus binds less tightly than ^ and more tightly than *. A name is a letter
+ * A leading minus binds less tightly than ^ and more tightly than *. A name is a letter
  * followed by letters, digits, _ and '. Functions: sqrt, exp, ln, log10, abs; sin, cos,
  * tan of degrees; asin, acos, atan in degrees; floor; mod(a, b) = a - b floor(a / b);
  * min, max, sum of any number of arguments. The only constant is pi. There are no

@@ -18,10 +18,11 @@ struct pp_cell_grid {
 
 /* Sets areas[row * columns + column] of cells with is_point to the area of the region,
  * less the margin, that is nearer to the centre of this cell than to those of
- * neighbouring cells with is_point; the others have 0. A cell that lies within the
- * region has its whole area, exactly. Along an edge that cuts through cells the
- * boundary is accurate to 1/32 of a cell. Cells whose centre is within the region, but
- * without is_point, are occupied by an object; their area is left out. */
+ * neighbouring cells with is_point; the others have 0. A cell with is_point that lies
+ * within the region counts with its whole area, exactly. Along an edge that cuts
+ * through cells the boundary is accurate to 1/32 of a cell. Cells whose centre is
+ * within the region, but without is_point, are occupied by an object; their area is
+ * left out. */
 void pp_cell_areas_find(double *areas, const bool *is_point,
                         const struct pp_region *region,
                         const struct pp_cell_grid *grid);

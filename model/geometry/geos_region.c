@@ -18,8 +18,8 @@ GEOSGeometry *pp_geos_region_ring(GEOSContextHandle_t geos, const double (*xy)[2
     return GEOSGeom_createLinearRing_r(geos, line);
 }
 
-/* Makes a polygon of the outer ring `from` and its holes, the rings from there to
- * before `to`. */
+/* Makes a polygon of the outer ring `from` and its holes: the rings after it, up to but
+ * not including ring `to`. */
 static GEOSGeometry *geos_polygon(GEOSContextHandle_t geos,
                                   const struct pp_region *region, int from, int to)
 {

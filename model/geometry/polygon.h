@@ -64,8 +64,8 @@ void pp_polygon_flatten(const struct pp_vec3 *vertices, int count,
 
 enum pp_side { PP_OUTSIDE, PP_INSIDE, PP_ON_EDGE };
 
-/* Position of a point relative to a ring of either orientation. A point nearer to the
- * edge than `tolerance` (m) is on the edge. */
+/* Position of a point relative to a ring of either orientation. A point at most
+ * `tolerance` (m) from the edge is on the edge. */
 enum pp_side pp_polygon_ring_side(const double (*xy)[2], int count, double x, double y,
                                   double tolerance);
 

@@ -62,7 +62,8 @@ struct pp_glass pp_glass_measured(double normal, double diffuse);
 double pp_glass_transmittance(const struct pp_glass *glass, double cos_incidence);
 
 /* Specular reflectance, equal for both sides; at most 1 - transmittance. For a
- * diffusing glazing this is its diffuse reflectance, 0.1. */
+ * diffusing glazing this is its diffuse reflectance: 0.1, or less if the glazing
+ * transmits more than 0.9. */
 double pp_glass_reflectance(const struct pp_glass *glass, double cos_incidence);
 
 /* Calculates transmittance and reflectance together. */

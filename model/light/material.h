@@ -113,8 +113,8 @@ struct pp_material pp_material_metal(struct pp_rgb colour, double specular,
 /* A physically rough surface, which must outlive the material. */
 struct pp_material pp_material_rough(const struct pp_rough_surface *surface);
 
-/* Diffuse reflectance of the material at a point of the room. Each channel is
- * limited to the range from 0 to 1; it is 0 where the pattern has no value. */
+/* Diffuse reflectance of the material at a point of the room. With a pattern it is
+ * limited to the range from 0 to 1, and 0 where the pattern has no value. */
 struct pp_rgb pp_material_diffuse_at(const struct pp_material *material,
                                      struct pp_vec3 point);
 
@@ -158,7 +158,7 @@ struct pp_material pp_material_glow(struct pp_rgb radiance);
 struct pp_material pp_material_air(void);
 
 /* Reflectance for hand methods: diffuse plus gloss, weighted by luminance; 0.1 for
- * glass. */
+ * glass, 0 for air. */
 double pp_material_reflectance(const struct pp_material *material);
 
 /* Material of a finish (finishes.h), with its colour and gloss, scaled so that

@@ -2,9 +2,9 @@
  *
  * The reader uses v and f; faces may have v, v/vt, v//vn and v/vt/vn, and any number of
  * corners. Indices count from 1 or, if negative, backwards from the last v. A line that
- * ends with \ continues on the next. Free-form curves and surfaces (curv, curv2, surf)
- * are an error; other statements (groups, materials, normals, points, lines, ...) are
- * ignored. The file has no unit.
+ * ends with \ continues on the next. Free-form curves and surfaces (curv, curv2, surf,
+ * ...) and inserted files (call) are an error; other statements (groups, materials,
+ * normals, points, lines, ...) are ignored. The file has no unit.
  */
 #ifndef PP_MODEL_MESH_MESH_OBJ_H
 #define PP_MODEL_MESH_MESH_OBJ_H

@@ -34,8 +34,8 @@ extern const char *const pp_mesh_triangles_no_memory;
 const char *pp_mesh_triangles_add_corner(struct pp_mesh_triangles *mesh,
                                          struct pp_vec3 corner);
 
-/* Splits a face (3 or more corner indices) into triangles and adds them. Planar faces
- * may be concave; non-planar and self-intersecting faces become a fan from the first
+/* Splits a face (3 or more corner indices) into triangles and adds them. Faces may be
+ * concave. Faces that are convex, or that cross themselves, become a fan from the first
  * corner. Consecutive equal corners, and triangles without area, are left out. */
 const char *pp_mesh_triangles_add_face(struct pp_mesh_triangles *mesh,
                                        const int *corners, int count);

@@ -48,7 +48,8 @@ bool pp_camera_ray(const struct pp_camera *camera, double x, double y,
                    struct pp_vec3 *from, struct pp_vec3 *to);
 
 /* Position of a point in the picture (x or y may be outside 0 to 1), and its distance
- * along its ray. False if it is behind the view or cannot be projected. */
+ * along its ray. False if it is behind the view or cannot be projected. In a parallel
+ * view the distance is negative for a point behind the eye. */
 bool pp_camera_project(const struct pp_camera *camera, struct pp_vec3 point, double *x,
                        double *y, double *distance_m);
 

@@ -27,7 +27,8 @@ struct pp_building;
  * are added to mistakes (PP_BAD_INPUT). An unreadable file is PP_SYSTEM, or
  * PP_BAD_INPUT if it does not exist or is a folder. If there are mistakes, *building
  * contains the valid parts, so that pp_world_create can find further mistakes.
- * *building is NULL if the file cannot be read, is truncated, or contains no room. */
+ * *building is NULL if the file cannot be read, is not well-formed XML, or contains no
+ * room. */
 enum pp_status pp_building_read(struct pp_building **building, const char *path,
                                 struct pp_mistakes *mistakes, struct pp_error *err);
 
@@ -38,12 +39,14 @@ enum pp_status pp_building_read_changed(struct pp_building **building, const cha
                                         struct pp_mistakes *mistakes,
                                         struct pp_error *err);
 
-/* Reads from memory. */
+/* Reads from memory. A file that the text names (mesh, picture, glazing, coarse model)
+ * is a mistake, since it cannot be located. */
 enum pp_status pp_building_parse(struct pp_building **building, const char *bytes,
                                  size_t length, struct pp_mistakes *mistakes,
                                  struct pp_error *err);
 
-/* Reads the text of another building again, with changes, in the same folder. */
+/* Reads the text of another building again, including the changes made when it was
+ * read, in the same folder. */
 enum pp_status pp_building_read_again(struct pp_building **building,
                                       const struct pp_building *other,
                                       struct pp_mistakes *mistakes,

@@ -76,7 +76,7 @@ double pp_surface_materials_pane_sun(const struct pp_opening *opening, struct pp
 /* The fields of a material, including its name, but not its physically rough surface or
  * its pattern.
  * Equal fields give keys that are equal byte for byte; -0 counts as 0. */
-enum { PP_MATERIAL_KEY_NUMBERS = 41, PP_MATERIAL_KEY_OF_SCATTER = 2 /* the last */ };
+enum { PP_MATERIAL_KEY_NUMBERS = 41, PP_MATERIAL_KEY_OF_SCATTER = 2 /* last two */ };
 struct pp_material_key {
     char name[PP_MATERIAL_NAME_SIZE];
     double numbers[PP_MATERIAL_KEY_NUMBERS];

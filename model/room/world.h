@@ -3,7 +3,9 @@
  * Polygons are in metres, angles in radians, shares are fractions. Axes are the room's
  * own x, y, z (floor at z = 0, z up). References are resolved to indices. Hand methods,
  * tracer, charts and exports read only the world, and the outdoor light given with it
- * (room_light.h). A world never changes, and owns all its data.
+ * (room_light.h). A world owns all its data and does not change. Only copies with other
+ * states of their blinds or trees share data and can be changed
+ * (build/device_states.h).
  */
 #ifndef PP_MODEL_ROOM_WORLD_H
 #define PP_MODEL_ROOM_WORLD_H

@@ -1,7 +1,7 @@
-/* annual_hourly.h - the illuminances of every hour and point, as in the
- * sheet: with open blinds, unless they are always closed or have a schedule.
+/* annual_hourly.h - the illuminances of every hour and point, as in the sheet:
+ * with open blinds, unless they are always closed or have a schedule.
  *
- *     .csv   one line per hour: month, day, hour, sun, light outside, points
+ *     .csv   one line per record: date, hour, sun, light outside, occupied part, points
  *     .ill   DAYSIM: month day hour (at its middle) and the points, separated by spaces
  *     .npy   NumPy: float32, [point][hour]
  *     json   part of the JSON output, instead of a file

@@ -1,7 +1,7 @@
 /* annual_json.h - annual results of rooms as JSON, "pepperpot-annual-1".
  *
  * Daylight autonomy, useful daylight and other fractions are in per cent, illuminances
- * in lx. Every figure is an object with "value" and standard error "se". For a missing
+ * in lx. Most figures are objects with "value" and standard error "se". For a missing
  * figure, "value" is null, and "why" gives the reason.
  */
 #ifndef PP_REPORTS_ANNUAL_ANNUAL_JSON_H

@@ -1,6 +1,6 @@
 /* assess_table.h - the assessment of a site as text tables: windows with their sky
- * component, rooms with the area that has a view of the sky, then all other
- * findings. */
+ * component, rooms with the area that has a view of the sky, sunlight at windows,
+ * gardens, rights of light, then all other findings. */
 #ifndef PP_REPORTS_ASSESS_ASSESS_TABLE_H
 #define PP_REPORTS_ASSESS_ASSESS_TABLE_H
 

@@ -6,7 +6,8 @@
 
 #include "model/base/error.h"
 
-/* Prints all rules by name. Each rule has its rows, certainty and source. */
+/* Prints all rules, grouped by name. Each row has its state, certainty, source and
+ * note. */
 void pp_rules_list_text(int width, FILE *out);
 
 /* Print each row of the table as a line of CSV or as a JSON object. */

@@ -1,5 +1,5 @@
-/* schedule_csv.h - the schedule of windows as CSV. Fractions are in per cent, areas in
- * m2. */
+/* schedule_csv.h - the schedule of windows as CSV. Fractions are in per cent, except
+ * ratios; areas are in m2. */
 #ifndef PP_REPORTS_ASSESS_SCHEDULE_CSV_H
 #define PP_REPORTS_ASSESS_SCHEDULE_CSV_H
 

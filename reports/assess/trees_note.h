@@ -1,5 +1,6 @@
-/* trees_note.h - the note of an assessment that criteria leave trees out
- * (trees_left_out.h): for the room in whose windows a crown rises highest. */
+/* trees_note.h - the note that criteria of an assessment do not consider trees
+ * (trees_left_out.h). It describes the room from whose windows a crown appears
+ * highest. */
 #ifndef PP_REPORTS_ASSESS_TREES_NOTE_H
 #define PP_REPORTS_ASSESS_TREES_NOTE_H
 

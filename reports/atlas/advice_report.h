@@ -12,10 +12,10 @@
 void pp_advice_report(const struct pp_advice *advice, const struct pp_report *report,
                       int width, FILE *out);
 
-/* Adds "advice": a list of { "of", "points", "use", "regime", "rooms", "ratio",
- * "formula", "assumption", "others" }, where "ratio" is [low, median, high] of the
- * simulated value divided by the method's value. If there is no advice, adds "advice":
- * null and the reason, "no-advice". Returns false if memory is exhausted. */
+/* Adds "advice": a list of { "of", "points", "use", "corrected", "regime", "rooms",
+ * "ratio", "formula", "assumption", "others" }, where "ratio" is [low, median, high] of
+ * the simulated value divided by the method's value. If there is no advice, adds
+ * "advice": null and the reason, "no-advice". Returns false if memory is exhausted. */
 bool pp_advice_report_json(struct json_object *object, const struct pp_advice *advice);
 
 #endif

@@ -1,5 +1,5 @@
 /* glare_report.h - daylight glare probability of rooms, at one moment or over a year,
- * as text, JSON ("pepperpot-glare-1") and CSV.
+ * as text and CSV. For JSON see glare_json.h.
  */
 #ifndef PP_REPORTS_GLARE_GLARE_REPORT_H
 #define PP_REPORTS_GLARE_GLARE_REPORT_H

@@ -36,8 +36,9 @@ struct pp_site_report {
  * chapter for each room follows: input and assumptions, drawings, daylight factors by
  * hand with their bands and simulated with standard errors, verdicts, and possible
  * improvements. In a short report a table of the rooms and a table for each criterion
- * follow. The last chapter lists the command, the methods and the sources. The caller
- * clears *document even after a failure. */
+ * follow. Then there is a chapter on limits and assumptions. The last chapter lists the
+ * command, the methods and the sources. The caller clears *document even after a
+ * failure. */
 enum pp_status pp_site_report(struct pp_document *document,
                               const struct pp_site_report *report,
                               struct pp_error *err);

@@ -10,7 +10,7 @@
 void pp_year_section(struct pp_document *document, const struct pp_annual_sheet *year);
 
 /* Adds one table of all rooms, for a short report. count: 1 or more. The assumptions
- * printed are those of the first year. */
+ * printed are those of the first year, with the warnings of all years. */
 void pp_year_section_rooms(struct pp_document *document,
                            const struct pp_annual_sheet *const *years, int count);
 

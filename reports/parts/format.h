@@ -38,8 +38,8 @@ int pp_format_utf8_length(const char *text);
 /* Width of text printed by pp_format_utf8_put, in columns of a terminal. */
 int pp_format_utf8_width(const char *text);
 
-/* Prints text. Control characters and bytes that are not UTF-8 are printed as \x1b, so
- * that text cannot move the cursor or begin a new line. */
+/* Prints text. Control characters and bytes that are not UTF-8 are printed as codes
+ * such as \x1b, so that text cannot move the cursor or begin a new line. */
 void pp_format_utf8_put(FILE *out, const char *text);
 
 /* Copies text with U+FFFD in place of each byte that is not UTF-8. NULL: out of

@@ -87,8 +87,8 @@ static int count_rows(const struct pp_report *report, const struct pp_column *co
     return count;
 }
 
-/* True if the name is in a comma-separated list. Components of a method have the same
- * reasons. */
+/* True if the name is in a comma-separated list. Several columns may have the same
+ * name: those for the components of a method. */
 static bool is_listed(const char *names, const char *name)
 {
     size_t length = strlen(name);

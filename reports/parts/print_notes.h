@@ -1,4 +1,5 @@
-/* print_notes.h - notes below the table of a report: the reasons for missing values. */
+/* print_notes.h - notes below the table of a report, mainly the reasons for missing
+ * values. */
 #ifndef PP_REPORTS_PARTS_PRINT_NOTES_H
 #define PP_REPORTS_PARTS_PRINT_NOTES_H
 
@@ -19,7 +20,9 @@ bool pp_print_notes_is_zero(const struct pp_report *report,
                             enum pp_component component);
 
 /* Prints one note for each reason, with the columns that lack values for this reason.
- * Returns false if memory is exhausted. */
+ * Also prints notes on the report as a whole, on a component that is 0 everywhere, and
+ * on an allowance for decorations that is not applied. Returns false if memory is
+ * exhausted. */
 bool pp_print_notes(const struct pp_report *report, int width, FILE *out);
 
 #endif

@@ -22,8 +22,8 @@ enum pp_status pp_sweep_assess_text(const struct pp_sweep *sweep,
                                     const struct pp_assessments *const *runs, int width,
                                     bool utf8, FILE *out, struct pp_error *err);
 
-/* Writes one row for each run and room: the size, the value by the method, and the
- * simulated value. */
+/* Writes one row for each run and room: the size, the value by the method, the
+ * simulated value, and whether the target is reached. */
 enum pp_status pp_sweep_size_text(const struct pp_sweep *sweep,
                                   const struct pp_size_results *const *runs, int width,
                                   bool utf8, FILE *out, struct pp_error *err);

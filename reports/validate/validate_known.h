@@ -14,8 +14,8 @@ struct pp_known_result {
 };
 
 /* Prints the cases by group: result, expected value, their difference, its limit, and
- * the verdict. Then prints how many cases are correct. The last sentence is wrapped at
- * `width`; other lines have at most 80 columns. */
+ * the verdict. Then prints how many cases are correct, and why cases have no verdict.
+ * These sentences are wrapped at `width`. */
 void pp_validate_known_text(const struct pp_known_result *result, int width, FILE *out);
 enum pp_status pp_validate_known_json(const struct pp_known_result *result, FILE *out,
                                       struct pp_error *err);

@@ -62,7 +62,8 @@ static double year_part(struct json_object *object, const char *name, const char
     return json_object_get_double(number);
 }
 
-/* Largest relative standard error of the annual light of a point of a room, per cent. */
+/* Largest relative standard error of the annual light of a point of a room, per
+ * cent. */
 static double largest_error(struct json_object *annual)
 {
     struct json_object *points = NULL;

@@ -3,9 +3,9 @@
  *
  * Stratified sampling: the unit square is divided into side x side cells and mapped to
  * the hemisphere [SC97] so that every cell has the same weight in the irradiance. Each
- * cell gets one ray. Cells that differ from their neighbours get more rays; all cells
- * do if the irradiance is too uncertain. Cells that are neighbours in the square are
- * neighbours on the hemisphere, as the derivatives require (cache_derivatives.h).
+ * cell gets one ray. Cells whose neighbours differ from each other get more rays; all
+ * cells do if the irradiance is too uncertain. Cells that are neighbours in the square
+ * are neighbours on the hemisphere, as the derivatives require (cache_derivatives.h).
  */
 #ifndef PP_SIMULATE_CACHE_CACHE_HEMISPHERE_H
 #define PP_SIMULATE_CACHE_CACHE_HEMISPHERE_H
@@ -23,7 +23,7 @@ struct pp_cache_hemisphere_cell {
     struct pp_vec3 facing;  /* normal of that surface */
     uint32_t path;          /* path index of the first ray */
     double samples;
-    double contrast; /* contrast to neighbours; cells with a large one get more rays */
+    double contrast; /* among the neighbours; cells with a large one get more rays */
     double gradient_per_radiance[2]; /* d(gradient)/dL, 1/m */
     double hessian_per_radiance[3];  /* d(second derivatives aa, ab, bb)/dL, 1/m2 */
 };

@@ -121,8 +121,8 @@ static double limit_by_gradient(double radius, double value, const double along[
     return change * radius > value ? value / change : radius;
 }
 
-/* Limits the gradient if the radius is already the smallest allowed: the change over
- * the ellipse is then at most the value itself. Next to an edge the gradient is
+/* Limits the gradient so that the change over the ellipse is at most the value itself.
+ * Next to an edge, where the radius is the smallest allowed, the gradient is
  * unbounded. */
 static void limit_gradient(struct pp_cache_record *is, double value,
                            const double along[2], const double axes[2][2])

@@ -8,7 +8,7 @@
 
 /* Settings of the records of one depth. */
 struct pp_cache_record_settings {
-    int side; /* side of the hemispheres */
+    int side; /* a hemisphere has side x side cells */
     int supersamples;
     const struct pp_vec3 *corners; /* corners from cache_hemisphere.h; not owned */
     double error;                  /* bound of the error, relative to the value,

@@ -39,8 +39,8 @@ struct pp_cache_options {
     int bounces;      /* -ab: most diffuse reflections of a path; -1: no limit */
     struct pp_rgb constant; /* -av: radiance that replaces the light of further bounces,
                              * and all light of materials left out */
-    const char *const *materials; /* names of materials of the scene; not owned, copied
-                                   * by create */
+    const char *const *materials; /* names of materials of the scene; not owned, needed
+                                   * only while the cache is created */
     int material_count;
     bool only; /* -ai: only these materials use the cache; false (-ae): all others do */
     uint64_t seed;

@@ -9,10 +9,10 @@
  *       intervals of two standard errors cover less than 94 %
  *     - the bound on light not found is below half of the target error
  *
- * If a pilot is too small for a plan, it is enlarged first. All decisions are based on
- * paths that do not enter the value, so that values are not selected by their size. If
- * the error is still too large, even-numbered randomisations are added, as many as the
- * variance of the odd-numbered ones requires, and vice versa. The number of
+ * If a pilot is too small for a plan, it is enlarged first. These decisions are based
+ * on paths that do not enter the value, so that values are not selected by their size.
+ * If the error is still too large, even-numbered randomisations are added, as many as
+ * the variance of the odd-numbered ones requires, and vice versa. The number of
  * randomisations in each half is then independent of the mean of that half.
  */
 #ifndef PP_SIMULATE_ESTIMATE_PLAN_H

@@ -33,7 +33,8 @@ struct variate_patch {
     double exchanged;              /* interreflected part of the exitance, before
                                     * smoothing */
     int seen[LOBE_SAMPLES];        /* patches that its rays meet (indices); -1: none */
-    int sides[OPENING_SAMPLES];    /* niche sides that directions to openings meet, */
+    int sides[OPENING_SAMPLES];    /* patches of niche sides that directions to openings
+                                    * meet, */
     double worth[OPENING_SAMPLES]; /* and the fraction of their exitance that reaches
                                     * the patch */
     int side_count;

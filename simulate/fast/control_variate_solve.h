@@ -8,7 +8,7 @@
 #include "simulate/fast/control_variate.h"
 
 /* Solves the radiosity. On success the caller owns *variate. *variate is NULL if the
- * room has so many surfaces that a solution would save no time. */
+ * world has no inside surfaces, or so many that a solution would save no time. */
 enum pp_status pp_control_variate_solve(struct pp_control_variate **variate,
                                         const struct pp_light_scene *scene,
                                         const struct pp_environment *environment,

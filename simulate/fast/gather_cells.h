@@ -40,8 +40,8 @@ void pp_gather_cells_destroy(struct pp_gather_cells *cells); /* NULL is allowed 
 /* Number of doubles in an array of cell points. */
 size_t pp_gather_cells_size(const struct pp_gather_cells *cells);
 
-/* Draws the cell points of one randomisation from two numbers in (0, 1), with G over Eh
- * at each point. G is 0 in an opening and outside the outline. `light` traces rays.
+/* Draws the cell points of one randomisation from two numbers in (0, 1), with G - g
+ * over Eh at each point; 0 in an opening and outside the outline. `light` traces rays.
  * net: receives pp_gather_cells_size() numbers. */
 void pp_gather_cells_draw(const struct pp_gather_cells *cells,
                           struct pp_radiance_state *light, const double u[2],

@@ -157,7 +157,8 @@ void pp_path_direct(struct pp_path_state *state, const struct pp_start *start,
     for (; !scene->has_room && state->light.index < end; state->light.index++)
         add_open_direct(state, start, light);
     while (state->light.index < end) {
-        /* Runs of several paths are possible only if no call samples images outside. */
+        /* Runs of several paths are possible only if pp_light_path_windows samples no
+         * images of openings. */
         bool runs = !start->anywhere && scene->window_image_count == 0;
         int paths = runs ? pp_path_run_from(state->light.index, end, PP_RUN_MOST) : 1;
         double u[2];

@@ -73,7 +73,7 @@ double pp_shared_density_left(const struct pp_shared_density *density,
                               const struct pp_light_ray *ray,
                               const struct pp_light_hit *met);
 
-/* Weight (1), for a receiver with normal `normal`. */
+/* The light (1) of a shared point at a receiver with normal `normal`, over Eh. */
 static inline double pp_shared_density_taken(const struct pp_shared_light *shared,
                                              struct pp_vec3 point,
                                              struct pp_vec3 normal)

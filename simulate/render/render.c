@@ -12,8 +12,9 @@
 #include "simulate/scene/light_scene_parts.h"
 
 enum {
-    /* Vertex of a path's random numbers for its position in the pixel, beyond all
-     * vertices that radiance.c uses. */
+    /* Vertex of a path's random numbers for its position in the pixel. The vertices of
+     * the path itself are much smaller; those of its branches are hashed and hardly
+     * ever the same. */
     PIXEL_VERTEX = 1 << 29,
 };
 

@@ -25,8 +25,8 @@ struct pp_target {
     struct pp_vec3 corner, along, up; /* rectangle; along and up of unit length */
     double width_m, height_m;
 
-    struct pp_vec3 (*triangles)[3]; /* triangles of any shape but a rectangle, else
-                                     * NULL; not owned */
+    struct pp_vec3 (*triangles)[3]; /* directions are sampled to them if the shape is no
+                                     * rectangle; not owned */
     int triangle_count;
 };
 
@@ -96,8 +96,8 @@ struct pp_direction_sample {
 struct pp_direction_sample pp_sample_polygon_draw(
     const struct pp_polygon_sampler *sampler, double u, double v);
 
-/* The density with which pp_sample_polygon_draw gives a direction to the target, per
- * steradian; 0 for a direction that does not meet the target's front. */
+/* The density with which pp_sample_polygon_draw gives a direction, per steradian. The
+ * direction must meet the target; 0 if it does not lead towards the target's front. */
 double pp_sample_polygon_pdf(const struct pp_polygon_sampler *sampler,
                              struct pp_vec3 direction);
 

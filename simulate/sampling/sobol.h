@@ -17,8 +17,8 @@
 
 enum {
     PP_SOBOL_DIMENSIONS = 6,
-    PP_SOBOL_KEPT = 3, /* number of vertices whose seeds are stored: they have most of
-                        * the draws of light paths, about a dozen in a sequence */
+    PP_SOBOL_KEPT = 3, /* the seeds of so many first vertices are stored, since light
+                        * paths draw most of their numbers there */
 };
 
 /* The sequence itself: the summand for each dimension and each byte of the index (with

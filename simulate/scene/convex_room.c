@@ -8,7 +8,7 @@
 
 #include "simulate/scene/light_scene_parts.h"
 
-/* Points nearer to a plane than this count as in the room and in the plane. */
+/* Points that are at most this far behind a plane still count as in the room. */
 static const double IN_PLANE_M = 1e-9;
 
 /* Greatest distance behind a plane at which a ray may start; in a corner, such a
@@ -192,9 +192,9 @@ static bool in_target(const struct pp_target *target, struct pp_vec3 point)
     return false;
 }
 
-/* Sets nearest->plane to -1 if the ray starts close to the plane and the plane has
- * niches, since the ray may start near the mouth of a niche. Negative distances become
- * 0. */
+/* Sets nearest->plane to -1 if that plane has niches and the ray starts close to it or
+ * behind it, since the ray may start near the mouth of a niche. Negative distances
+ * become 0. */
 static void settle_nearest_plane(struct pp_convex_nearest *nearest,
                                  const struct pp_convex_room *room, double from_m)
 {

@@ -69,9 +69,9 @@ bool pp_convex_room_nearest(const struct pp_convex_room *room, struct pp_vec3 fr
                             struct pp_convex_nearest nearest[PP_RUN_MOST]);
 
 /* The part met by a ray that runs indoors, and its distance. *point: where the ray
- * meets the part's plane. -1 if the ray kernels must be used: the ray starts outside or
- * in a niche, or enters a niche that is not a box. known: the nearest plane of this
- * ray; NULL: unknown. */
+ * meets the part's plane. -1 if the ray kernels must be used: the ray starts outside,
+ * in a niche or near its mouth, or enters a niche that is not a box. known: the nearest
+ * plane of this ray; NULL: unknown. */
 int pp_convex_room_meet(const struct pp_convex_room *room,
                         const struct pp_light_scene *scene,
                         const struct pp_light_ray *ray,

@@ -7,8 +7,7 @@
 
 #include "simulate/scene/light_scene.h"
 
-/* Sets scene->hash from all data of the scene. triangles: those passed to the ray
- * kernels. */
+/* Sets scene->hash. triangles: those passed to the ray kernels. */
 void pp_light_hash_scene(struct pp_light_scene *scene, const float (*triangles)[3][3]);
 
 #endif

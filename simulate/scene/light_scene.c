@@ -293,7 +293,7 @@ enum pp_meeting pp_light_scene_meet_outside(const struct pp_light_scene *scene,
     return meets_ground(scene, ray, hit) ? PP_MEETS_GROUND : PP_MEETS_ENVIRONMENT;
 }
 
-/* Nearest hit in an empty convex room; false if the ray starts outside. */
+/* Nearest hit in an empty convex room; false if the ray kernels must be used. */
 static bool meet_convex(const struct pp_light_scene *scene,
                         const struct pp_light_ray *ray,
                         const struct pp_convex_nearest *nearest,

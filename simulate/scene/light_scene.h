@@ -50,7 +50,7 @@ struct pp_light_ray {
 /* The first surface that a ray meets. A part is a polygon, a sphere or another shape
  * with one plane or one curved surface. */
 struct pp_light_hit {
-    int part; /* -1: nothing */
+    int part; /* -1: the ground, or nothing */
     int tag;  /* tag of the shape */
     struct pp_vec3 point;
     struct pp_vec3 normal; /* unit, on the side that was hit */
@@ -60,7 +60,7 @@ struct pp_light_hit {
     enum pp_space space; /* space of a ray that leaves that side */
 };
 
-/* False if the ray meets nothing, or has leaked. */
+/* False if the ray meets no part, or has leaked. */
 bool pp_light_scene_first(const struct pp_light_scene *scene,
                           const struct pp_light_ray *ray, struct pp_light_hit *hit);
 
@@ -97,8 +97,8 @@ enum pp_meeting {
     PP_MEETS_GROUND,      /* as a surface (scene_ground.h) */
     PP_MEETS_ENVIRONMENT, /* sky, open ground, skyline without a distance, distant
                            * sources */
-    PP_MEETS_LEAK,        /* the wrong side of a room's envelope: the ray is
-                           * abandoned */
+    PP_MEETS_LEAK,        /* the wrong side of a room's envelope, or nothing although
+                           * the ray runs indoors: the ray is abandoned */
 };
 
 /* The nearest planes of rays that run indoors from one point, if the room is empty and
@@ -108,8 +108,8 @@ bool pp_light_scene_nearest(const struct pp_light_scene *scene, struct pp_vec3 f
                             struct pp_convex_nearest *nearest);
 
 /* First intersection of the ray. hit->distance_m is always set, to INFINITY for sky and
- * similar ends. hit->part is -1 if the ray meets no part. point and normal are set for
- * a part or the ground; the other members are set for a part only. */
+ * similar ends. hit->part is -1 if the ray meets no part. The other members are set for
+ * a part or the ground; material for a part only. */
 enum pp_meeting pp_light_scene_meet(const struct pp_light_scene *scene,
                                     const struct pp_light_ray *ray,
                                     struct pp_light_hit *hit);

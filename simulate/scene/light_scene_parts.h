@@ -98,7 +98,8 @@ struct pp_light_scene {
     int window_image_count;
     struct pp_glass_image *glass_images;
     int glass_image_count;
-    double unsampled_share; /* the greatest reflectance of parts outside mirror paths */
+    double unsampled_share; /* the greatest reflectance, or product of successive ones,
+                             * that no mirror path samples */
     struct pp_rgb glow;     /* radiance of the brightest extended emitter that is not
                              * distant */
 

@@ -10,7 +10,7 @@ struct pp_irradiance {
                             * estimation */
     struct pp_rgb outside; /* directly from ground, skylines and surfaces outside;
                             * sampled like the sky */
-    struct pp_rgb rest;    /* all other light: pi times the radiance of
+    struct pp_rgb rest;    /* all other light: mainly pi times the radiance of
                             * pp_radiance_indirect over the cosine lobe */
 };
 

@@ -19,12 +19,12 @@
 
 /* A point of a reflector at which an image is sampled. */
 struct pp_image_view {
-    struct pp_shading_point there; /* shading point at this place, with the lobes
-                                    * below */
+    struct pp_shading_point
+        there; /* shading point at this place; its lobes are below */
     struct pp_lobes lobes;
     int window;
-    struct pp_rgb weight; /* fraction of the light at this point that the reflector
-                           * sends to the diffuse surface */
+    struct pp_rgb weight; /* weight, at the diffuse surface, of the radiance that comes
+                           * from this point */
 };
 
 /* Makes the view. False if no image is sampled, or if none is visible at the shading

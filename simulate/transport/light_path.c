@@ -310,8 +310,8 @@ static struct pp_rgb follow_lobe(struct pp_radiance_state *state,
 }
 
 /* Light by gloss and mirror is large or zero. Separate paths therefore follow these
- * lobes, which are then set to black. If a mirror is the only lobe left, the path
- * itself follows it. */
+ * lobes, which are then set to black. If a mirror or a transmitted gloss is the only
+ * lobe left, the path itself follows it. */
 static struct pp_rgb follow_gloss_and_mirror(struct pp_radiance_state *state,
                                              const struct pp_light_path *path,
                                              struct pp_lobes *lobes,

@@ -44,8 +44,9 @@ static inline struct pp_light_path pp_light_path_outside(
 }
 
 /* One sample of the light from all windows that the shading point sends to the eye.
- * Adds it to the sky, the outside or, if an opening leads back into the room, the rest
- * of *sum. */
+ * Adds it to the sky or the outside of *sum. Light that comes from the room through
+ * another opening, from a side of a niche, or by an image in a reflector is added to
+ * the rest. */
 void pp_light_path_windows(struct pp_radiance_state *state,
                            const struct pp_shading_point *shading,
                            struct pp_irradiance *sum);

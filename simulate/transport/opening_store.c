@@ -48,7 +48,7 @@ static double nearest(const struct pp_light_scene *scene, int window,
 }
 
 /* One sample of the radiance along a ray that leaves a window to the outside, and its
- * length *distance_m. False if the ray meets no surface. */
+ * length *distance_m. False if the ray meets no surface, or a pane. */
 static bool outside_radiance(struct pp_radiance_state *state,
                              const struct pp_light_ray *ray, struct pp_rgb *radiance,
                              double *distance_m)

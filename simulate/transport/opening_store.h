@@ -1,9 +1,11 @@
 /* opening_store.h - the radiance outside each opening of a room, calculated once for a
  * given light from outside.
  *
- * With a store, a path that leaves through an opening needs at most one ray outside.
- * This ray is still traced to the first surface, so that silhouettes stay sharp. The
- * surface's radiance is read from the opening's table (opening_table.h).
+ * With a store, a path that leaves through an opening usually needs only one ray
+ * outside. This ray is still traced to the first surface, so that silhouettes stay
+ * sharp. The surface's radiance is read from the opening's table (opening_table.h). The
+ * path continues only from surfaces that the table does not contain: panes, and
+ * surfaces near the opening.
  */
 #ifndef PP_SIMULATE_TRANSPORT_OPENING_STORE_H
 #define PP_SIMULATE_TRANSPORT_OPENING_STORE_H

@@ -180,8 +180,8 @@ static inline struct pp_light_ray pp_path_vertex_shadow_ray(
 
 /* Number of strata, with one direction each, in next-event estimation of a source or
  * window of this angular size. It is the smallest power of two for which a stratum's
- * angular size is below options.source_size, at most options.source_most; 1 if the path
- * is not split. */
+ * angular size is not above options.source_size, but at most options.source_most; 1 if
+ * the path is not split or source_size is 0. */
 static inline uint32_t pp_path_vertex_direction_count(
     const struct pp_radiance_state *state, bool split, double angular_size)
 {

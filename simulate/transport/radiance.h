@@ -8,7 +8,7 @@
  *
  *     sources   concentrated emitters and the sun, by next-event estimation, with more
  *               strata of directions for nearer and larger ones (the power of two that
- *               makes the angular size of a stratum less than `source_size`)
+ *               makes the angular size of a stratum at most `source_size`)
  *     windows   the panes of a world's openings, likewise, as lamps that emit the light
  *               of sky, ground and obstructions that passes through them
  *     the rest  extended emitters, sky, ground and all surfaces, by rays in directions
@@ -39,8 +39,8 @@ struct pp_rgb pp_radiance_indirect(struct pp_radiance_state *state,
                                    struct pp_light_hit *hit);
 
 /* Irradiance at a point, one sample of each part. normal: unit; space:
- * pp_light_scene_space of the point. pp_radiance_direct gives only the light of
- * sources, sky and outside. With `ambient`, `rest` is still sampled at the point
+ * pp_light_scene_space of the point. pp_radiance_direct gives only the light that
+ * next-event estimation samples. With `ambient`, `rest` is still sampled at the point
  * itself; the ambient store is read from the next surface onwards (depth 1). */
 struct pp_irradiance pp_radiance_direct(struct pp_radiance_state *state,
                                         struct pp_vec3 point, struct pp_vec3 normal,

@@ -29,7 +29,8 @@ static int main_direction(struct pp_vec3 n)
     return 4 + (n.y < 0.0);
 }
 
-/* 0 up to two sizes of the room from its centre; 1 up to four, and so on. */
+/* 0 if the place is less than 2 reach_m from the room's centre; 1 up to 4 reach_m, 2 up
+ * to 8, and so on. */
 static int level_of(const struct pp_outdoor_cells *cells, const struct pp_lit_point *at)
 {
     double far = pp_vec_length(at->point) / cells->reach_m;

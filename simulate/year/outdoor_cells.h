@@ -31,9 +31,9 @@ void pp_outdoor_cells_init(struct pp_outdoor_cells *cells,
                            const struct pp_light_scene *scene,
                            struct pp_lit_point *points, int most, uint64_t seed);
 
-/* The cell of a place that a path met with this weight. Places farther than 32 sizes of
- * the room share the last six cells, one for each main direction; so do new places when
- * all other cells are in use. */
+/* The cell of a place that a path met with this weight. Places farther than 32 reach_m
+ * from the room's centre share the last six cells, one for each main direction; so do
+ * new places when all other cells are in use. */
 int pp_outdoor_cells_find(struct pp_outdoor_cells *cells, const struct pp_lit_point *at,
                           double weight);
 

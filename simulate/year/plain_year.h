@@ -24,8 +24,9 @@ enum pp_status pp_plain_year_create(struct pp_plain_year **plain,
 void pp_plain_year_destroy(struct pp_plain_year *plain); /* NULL is allowed */
 
 /* Fills both parts of a point (lx): all light of sky and ground, including direct
- * light; and sunlight reflected by surfaces. by_patch: the sky's luminance is uniform
- * in each patch, with the value at the patch's centre; the paths are the same. */
+ * light; and sunlight that surfaces reflect or panes scatter. by_patch: the sky's
+ * luminance is uniform in each patch, with the value at the patch's centre; the paths
+ * are the same. */
 enum pp_status pp_plain_year_point(const struct pp_plain_year *plain, int receiver,
                                    const struct pp_light_columns *light, bool by_patch,
                                    struct pp_year_point *point, struct pp_error *err);

@@ -27,8 +27,8 @@ static bool in_rectangle(const struct pp_target *target, struct pp_vec3 at)
     return x >= 0.0 && x <= target->width_m && y >= 0.0 && y <= target->height_m;
 }
 
-/* True if u leads from an indoor point to a pane. *free: nothing can hide this pane, on
- * either side; *pane is then set. */
+/* True if u leads from an indoor point to a pane, or to the plane of a pane that is no
+ * rectangle. *free: nothing can hide this pane, on either side; *pane is then set. */
 static bool leads_to_pane(const struct pp_light_scene *scene, struct pp_vec3 point,
                           struct pp_vec3 u, int *pane, bool *free)
 {
@@ -62,7 +62,8 @@ static double regular_transmittance(const struct pp_light_scene *scene, int pane
 }
 
 /* The transmittance along the ray to the sun; 0 if the ray meets an opaque surface.
- * *opening: the last opening passed. */
+ * *opening: the last opening that the ray passes from inside; unchanged if there is
+ * none. */
 static double traced(const struct pp_light_scene *scene, struct pp_light_ray ray,
                      int *opening)
 {

@@ -136,8 +136,8 @@ static void follow_both(struct batch_work *work, const struct pp_lit_point *at)
     pp_year_path_lobe(&work->walk, &sink, at);
 }
 
-/* Draws a point for every path of a cell. Points outside the surface's outline get a
- * zero normal. Returns the number of points on the surface. */
+/* Draws a point for every path of a cell. Points that are not on the cell get a zero
+ * normal. Returns the number of points on the cell. */
 static int draw_places(struct batch_work *work, int cell, struct pp_lit_point *places)
 {
     int drawn = 0;
@@ -154,8 +154,8 @@ static int draw_places(struct batch_work *work, int cell, struct pp_lit_point *p
     return drawn;
 }
 
-/* Traces the paths of a cell that has a point. Points on the surface are used equally
- * often. If there are none, all paths begin at the cell's point. */
+/* Traces the paths of a cell that has a point. Paths begin at the drawn points that are
+ * on the cell. If there are none, all paths begin at the cell's point. */
 static void follow_cell(struct batch_work *work, int cell, struct pp_lit_point *places)
 {
     const struct pp_year_task *task = work->task;

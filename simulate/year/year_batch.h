@@ -6,7 +6,7 @@
  * uniformly lit. At nearer surfaces paths continue. E is the illuminance without direct
  * sun; x are the points (receivers), c the cells:
  *
- *     E_c = D_c + N_c s + G_c (E + s),     E_x = D_x + N_x s + G_x (E + s)         (1)
+ *     E_c = D_c light + N_c s + G_c (E + s), E_x = D_x light + N_x s + G_x (E + s) (1)
  *
  *   D   from columns of light (light_columns.h) and outdoor cells, by the paths that
  *       leave through an opening
@@ -46,8 +46,8 @@ struct pp_year_task {
     const int *group_of_opening; /* 0 to group_count - 1 */
     int group_count;
     int column_count; /* number of columns of light */
-    int class_count;  /* most classes of light that leaves a scattering pane; 0: no such
-                       * pane */
+    int class_count;  /* greatest number of classes of light that leaves a scattering
+                       * pane; 0: no such pane */
     int cell_paths;   /* from each cell; a power of two */
     int point_paths;  /* from each receiver; a power of two */
     const struct pp_sobol *sobol;

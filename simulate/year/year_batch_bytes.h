@@ -1,5 +1,5 @@
 /* year_batch_bytes.h - a randomisation as bytes of a file, the same on any machine:
- * the members of struct pp_year_batch in their order. */
+ * the numbers of struct pp_year_batch, then its points, then its flags. */
 #ifndef PP_SIMULATE_YEAR_YEAR_BATCH_BYTES_H
 #define PP_SIMULATE_YEAR_YEAR_BATCH_BYTES_H
 
@@ -8,11 +8,12 @@
 /* Number of bytes of every randomisation of the task. */
 size_t pp_year_batch_bytes_size(const struct pp_year_task *task);
 
-/* Writes so many bytes. */
+/* Writes pp_year_batch_bytes_size bytes. */
 void pp_year_batch_bytes_put(unsigned char *bytes, const struct pp_year_batch *batch,
                              const struct pp_year_task *task);
 
-/* Reads as many; the caller clears *batch, even after a failure. */
+/* Reads pp_year_batch_bytes_size bytes; the caller clears *batch, even after a failure.
+ * PP_BAD_INPUT if they are damaged. */
 enum pp_status pp_year_batch_bytes_take(struct pp_year_batch *batch,
                                         const struct pp_year_task *task,
                                         const unsigned char *bytes,

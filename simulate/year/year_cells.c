@@ -11,7 +11,8 @@
 #include "model/room/position.h"
 #include "simulate/scene/light_scene_parts.h"
 
-/* True if the part is an inside surface whose given side is diffuse and reflects. */
+/* True if the part is an inside surface, not a pane, whose given side faces the room
+ * and is diffuse. */
 static bool has_cells(const struct pp_light_scene *scene, int index, int side)
 {
     const struct pp_light_part *part = &scene->parts[index];

@@ -1,7 +1,7 @@
 /* year_cells.h - the inside surfaces of a room, divided into cells of about one size.
  *
- * Every side of an inside surface that reflects is divided into squares along the axes of
- * its plane. A square is a cell, unless a partition or another inside surface stands on
+ * Every diffuse side of an inside surface is divided into squares along the axes of its
+ * plane. A square is a cell, unless a partition or another inside surface stands on
  * it; each piece beside that surface is then a cell (cell_cuts.h). The cell of a hit
  * follows from its position; points of a cell are drawn within the surface's outline,
  * outside its openings and outside the objects that cover the surface.
@@ -55,8 +55,9 @@ void pp_year_cells_clear(struct pp_year_cells *cells);
 /* Index of the cell that was hit; -1: there is none. */
 int pp_year_cells_of(const struct pp_year_cells *cells, const struct pp_light_hit *hit);
 
-/* The point of a cell at relative coordinates u and v (0 to 1), with its normal; false
- * if the point is not on the surface. */
+/* The point at relative coordinates u and v (0 to 1) of the rectangle around a cell,
+ * with its normal. False if the point is outside the cell or the surface's outline, in
+ * an opening or fitting, or behind a door or dado. */
 bool pp_year_cells_point(const struct pp_year_cells *cells, int cell, double u,
                          double v, struct pp_lit_point *point);
 

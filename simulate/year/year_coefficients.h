@@ -67,7 +67,7 @@ float pp_year_coefficients_by_panes(const struct pp_year_coefficients *coefficie
 struct pp_year_point {
     float *sky; /* sky and ground: [group][batch][hour]; each row has tiles x
                  * PP_LIGHT_LANES entries */
-    float *sun; /* sunlight reflected by surfaces: same order */
+    float *sun; /* sunlight that surfaces reflect or panes scatter: same order */
 };
 
 /* Fills `sky` of receivers first to first + count - 1, one after the other. direct:

@@ -98,9 +98,9 @@ static void add_pane_sun(const struct year_path *path, const struct pp_lobes *lo
     path->sink->pane_sun(path->sink->data, &event);
 }
 
-/* Chooses a direction to an opening, from one side of a surface; `weight` is the weight
- * of radiance arriving there. Sets the path, and the lobes through the pane that it has
- * hit. False if no pane is hit. */
+/* Chooses an opening and a direction to it, from one side of a surface; `weight` is the
+ * weight of the irradiance there. Sets the path, and the lobes through the pane that it
+ * has hit. False if it does not hit the chosen opening. */
 static bool aim_at_pane(struct year_path *path, const struct pp_lit_point *at,
                         double weight, struct pp_light_hit *hit, struct pp_lobes *lobes)
 {

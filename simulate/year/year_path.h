@@ -32,11 +32,11 @@
 struct pp_year_event {
     double weight;
     int opening;
-    bool straight;          /* for sky: reached directly, or through clear glass only */
-    struct pp_vec3 u;       /* sky: direction */
-    int far;                /* skyline: index */
-    struct pp_lit_point at; /* lit, pane_sun: one side of a surface */
-    int leaving;            /* pane_sun: class of the leaving light */
+    bool straight; /* sky, horizontal: reached directly, or through clear glass only */
+    struct pp_vec3 u;               /* sky: direction */
+    int far;                        /* skyline: index */
+    struct pp_lit_point at;         /* lit, pane_sun: one side of a surface */
+    int leaving;                    /* pane_sun: class of the leaving light */
     const struct pp_light_hit *hit; /* lit and known: hit on the surface */
 };
 

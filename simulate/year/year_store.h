@@ -58,10 +58,10 @@ enum pp_status pp_year_store_create(struct pp_year_store **store, FILE *file,
                                     struct pp_error *err);
 void pp_year_store_destroy(struct pp_year_store *store); /* NULL is allowed */
 
-/* PP_BAD_INPUT if the store has the room and state with another origin: the message
- * names the first difference. The number of paths may differ, except for
- * PP_YEAR_STORE_READ, if *paths is not 0; if it is 0, *paths becomes that of the store.
- * A store to read must have all randomisations, or none of a state other than open. */
+/* PP_BAD_INPUT if the store has the room and state with another origin; the message
+ * names the first difference. The number of paths may differ. PP_YEAR_STORE_READ: the
+ * store must have all randomisations, or none if the state is not 0 (open). Their
+ * number of paths must be *paths; if that is 0, *paths becomes their number. */
 enum pp_status pp_year_store_check(const struct pp_year_store *store,
                                    const struct pp_year_origin *origin, int *paths,
                                    struct pp_error *err);
@@ -79,9 +79,9 @@ struct pp_year_stores {
 
 struct pp_thread_pool;
 
-/* Takes randomisation `index` from one of the stores, or calculates it and adds it to
- * those to update. Within the pool's work; otherwise as pp_year_batch_make. stores NULL:
- * none. */
+/* Reads randomisation `index` from one of the stores, or calculates it with
+ * pp_year_batch_make and adds it to the stores of PP_YEAR_STORE_UPDATE. To be called by
+ * a worker of the pool. stores NULL: none. */
 enum pp_status pp_year_stores_batch(const struct pp_year_stores *stores,
                                     struct pp_year_batch *batch,
                                     const struct pp_year_task *task, int index,

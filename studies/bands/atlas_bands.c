@@ -11,9 +11,9 @@
 
 /* ---- columns of the table ---- */
 
-/* Columns of the table for one component by one hand method: the method's value, its
- * value's counterpart in the simplified room, and the simulated value. -1: there is no
- * such column. */
+/* Columns of the table for one component by one hand method: the method's value, the
+ * simulated value in the simplified room, and the simulated value in the room itself.
+ * -1: there is no such column. */
 struct places {
     int hand, own, truth;
     int sc, erc, irc; /* columns of the components of a pair of methods; -1: none */

@@ -10,8 +10,9 @@
  *
  * Each ratio has the offset of band_regime.h. The method's own world is the room as
  * simplified by the assumptions of the method. Bands are tested on rooms that were not
- * used in the fit. The test passes if in each regime the fraction of rooms inside the
- * band differs from 95 % by at most three standard errors:
+ * used in the fit. The test passes if in each regime the fraction of points inside the
+ * band, in which each room has a total weight of 1, differs from 95 % by at most three
+ * standard errors:
  *
  *     3 sqrt(0.95 0.05 (1 / n_fit + 1 / n_test))                                 (2)
  *

@@ -73,8 +73,9 @@ struct pp_assessment {
                   * contain the room */
     const struct pp_study_room *mirrored; /* not owned; NULL */
     int *mirrored_pairs;
-    bool has_factors; /* true if any selected criterion uses them */
-    bool has_average; /* true if the average is to have the error of the simulation */
+    bool has_factors; /* true if any selected criterion uses daylight factors */
+    bool has_average; /* true if the target error of the simulation also applies to the
+                       * average */
     struct pp_plane_grid grid;
     struct pp_report report; /* daylight factors on the grid */
     struct pp_median median;

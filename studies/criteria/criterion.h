@@ -89,10 +89,9 @@ struct pp_criterion {
                          * a profile */
     bool of_plane_year; /* true: uses the inquiry's year on a grid of the plane, if
                          * there is a weather file */
-    bool
-        without_trees; /* true: crowns of trees count as transparent, as BR 209 takes them
-                         * for sky and sun */
-    bool of_factors;   /* true: uses the inquiry's factors, which may otherwise be
+    bool without_trees; /* true: crowns of trees count as transparent, as BR 209
+                        * prescribes for sky and sun */
+    bool of_factors;    /* true: uses the inquiry's factors, which may otherwise be
                          * NULL */
     bool (*bears_on_use)(enum pp_room_use use); /* NULL: applies to rooms of any use */
     const char *countries;                      /* codes of the countries in which the

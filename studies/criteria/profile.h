@@ -15,8 +15,7 @@ struct pp_profile {
     const char *country;       /* country of the rules; "": no single one */
 };
 
-/* Profiles in the order shown; NULL for the index just past the last, the largest
- * allowed. */
+/* Profiles in the order shown; NULL past the last. */
 const struct pp_profile *pp_profile_at(int index);
 
 /* The profile of that name; NULL, with PP_BAD_INPUT in err, if there is none. */

@@ -16,8 +16,8 @@ struct pp_rooms_before {
 /* *found: the former state of a room, not owned. With is_state, this is the same room
  * of the same file; otherwise the room of the same name, or the only room if there is
  * one room now and one before (room_count: number of rooms now). NULL: the room did not
- * exist. *pairs: as from pp_pair_rooms (pair_rooms.h), to be freed. PP_BAD_INPUT names
- * the file and the room that cannot be paired. */
+ * exist. *pairs: as from pp_pair_rooms (pair_rooms.h), to be freed. PP_BAD_INPUT, whose
+ * message names the file, if the room cannot be paired. */
 enum pp_status pp_room_before_find(const struct pp_study_room **found, int **pairs,
                                    const struct pp_study_room *room, int room_count,
                                    const struct pp_rooms_before *before,

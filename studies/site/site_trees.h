@@ -6,8 +6,8 @@
 #include "model/results/sheets/site_sheet.h"
 #include "model/room/world.h"
 
-/* Adds the trees of the world to the sheet. before: the former world, with whose trees
- * they are compared; NULL: unknown. PP_SYSTEM if memory is exhausted. */
+/* Adds the trees of the world and the trees that only the former world has to the
+ * sheet. before: the former world; NULL: unknown. PP_SYSTEM if memory is exhausted. */
 enum pp_status pp_site_trees_add(struct pp_site_sheet *sheet,
                                  const struct pp_world *world,
                                  const struct pp_world *before, struct pp_error *err);

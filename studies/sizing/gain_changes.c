@@ -328,7 +328,7 @@ static enum pp_status one_more_window(struct pp_room **changed, struct pp_gain *
 }
 
 /* Index of the outer wall without openings that is most nearly opposite to the given
- * face, by at least 120 degrees; -1: none. */
+ * face, by more than 120 degrees; -1: none. */
 static int opposite_wall(const struct pp_world *world, int face)
 {
     struct pp_vec3 n = world->surfaces[face].outline.normal;

@@ -13,12 +13,12 @@
 #include "studies/year/annual_words.h"
 #include "studies/year/annual_work.h"
 
-/* With an error to reach, a run of PILOT paths first estimates their number. */
+/* With a target error, a run with PILOT paths first estimates the number of paths. */
 enum { PILOT = 32, SAMPLES = 128, SAMPLES_MOST = 8192 };
 
-/* Shares of the whole after the steps with open windows: paths, sunlit cells,
- * direct light. With closed blinds these steps end at OPEN_SHARE of the whole, and
- * those of all closed states at CLOSED. */
+/* Shares of the work done after the steps with open windows: paths, sunlit cells,
+ * direct light. If the room has its own blinds, these shares are multiplied by
+ * OPEN_SHARE, and the states with closed blinds end at CLOSED. */
 static const double TRACED = 0.4, LIT = 0.6, SEEN = 0.9;
 static const double OPEN_SHARE = 0.3, CLOSED = 0.85;
 

@@ -59,7 +59,7 @@ struct pp_annual_options {
     struct pp_year_store
         *stores[PP_ANNUAL_STORES_MOST]; /* of coefficients; not owned */
     int store_count;
-    int room_number; /* of the room in the command, from 0, for the stores */
+    int room_number; /* index of the room in the command, for the stores */
     struct pp_watch watch;
 };
 

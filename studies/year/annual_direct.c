@@ -1,5 +1,5 @@
-/* annual_direct.c - finds the hours in which blinds are closed, from the direct sun at
- * the points. */
+/* annual_direct.c - direct sun at the points, and the hours in which it, or the chosen
+ * control, closes blinds. */
 #include "model/results/sheets/point_areas.h"
 #include "studies/year/annual_seasons.h"
 #include "studies/year/annual_work.h"

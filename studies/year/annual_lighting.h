@@ -22,9 +22,9 @@ enum pp_status pp_annual_lighting_create(struct pp_annual_lighting **lighting,
 void pp_annual_lighting_destroy(
     struct pp_annual_lighting *lighting); /* NULL: allowed */
 
-/* Adds illuminances of point x (lx, indexed by sky), with open blinds and with the
- * blinds of LM-83. without: number of the batch that these means leave out; -1:
- * none. */
+/* Adds illuminances of point x (lx, indexed by sky), with open blinds, and with the
+ * blinds of the chosen control. without: number of the batch that these means leave
+ * out; -1: none. */
 void pp_annual_lighting_add(struct pp_annual_lighting *lighting, int worker, int x,
                             int without, const float *open, const float *blinds);
 

@@ -43,8 +43,8 @@ enum pp_status pp_annual_state_init(struct pp_annual_state *state,
                                     struct pp_error *err);
 void pp_annual_state_clear(struct pp_annual_state *state);
 
-/* Traces the paths: `paths` per point and randomisation, unless they are in the stores;
- * NULL: none. */
+/* Traces the paths: `paths` per point and randomisation, unless they are in the stores.
+ * stores NULL: none. */
 enum pp_status pp_annual_state_trace(struct pp_annual_state *state,
                                      struct pp_annual_work *work, int paths,
                                      const struct pp_year_stores *stores,

@@ -19,7 +19,7 @@ enum pp_sun_closure_finding {
                          * swapped */
     PP_CLOSURE_NONE,    /* the balance closes at no shift: the data are measured, or
                          * damaged */
-    PP_CLOSURE_UNKNOWN, /* no records with all three irradiances */
+    PP_CLOSURE_UNKNOWN, /* no records with direct light and all three irradiances */
 };
 
 struct pp_sun_closure {

@@ -80,7 +80,8 @@ struct pp_perez_sky pp_weather_year_turned(const struct pp_perez_sky *sky,
 const char *pp_weather_year_notes(char *text, size_t room,
                                   const struct pp_weather_year *year);
 
-/* One of the warnings for the user, as a sentence; NULL: there is none. */
+/* Writes a warning on the file's radiation and the sun shift. Returns text; NULL: there
+ * is no warning. */
 const char *pp_weather_year_warning(char *text, size_t room,
                                     const struct pp_weather_year *year);
 

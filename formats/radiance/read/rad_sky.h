@@ -1,5 +1,5 @@
-/* rad_sky.h - Radiance's skies: those that gensky or gendaylit has printed into a scene,
- * and those of the commands themselves. Inside formats/radiance/ only. */
+/* rad_sky.h - Radiance's skies: those that gensky or gendaylit has printed into a
+ * scene, and those of the commands themselves. Inside formats/radiance/ only. */
 #ifndef PP_FORMATS_RADIANCE_READ_RAD_SKY_H
 #define PP_FORMATS_RADIANCE_READ_RAD_SKY_H
 

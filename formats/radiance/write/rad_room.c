@@ -150,7 +150,8 @@ static enum pp_status add_panes(struct rad_room_builder *b)
     return status;
 }
 
-/* Adds the panes of the coarse model that the room is nested in, and crowns of trees. */
+/* Adds the panes of the coarse model that the room is nested in, and crowns of
+ * trees. */
 static enum pp_status add_outer_panes(struct rad_room_builder *b)
 {
     enum pp_status status = PP_OK;

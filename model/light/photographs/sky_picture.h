@@ -3,9 +3,10 @@
  *
  * Pixels are samples at their centres, with bilinear interpolation between them. At the
  * rim of a fisheye's circle only pixels within the circle count. Luminance is
- * extrapolated there in the angle (for a hemispherical picture, in the cosine of the
- * angle); extrapolation changes it by at most half. At the horizon, pixels on the other
- * side of the horizon do not count. Overlapping pictures are blended.
+ * extrapolated there in the distance from the centre (for a hemispherical picture, in
+ * the cosine of the angle); extrapolation changes it by at most half. At the horizon,
+ * pixels on the other side of the horizon do not count. Overlapping pictures are
+ * blended.
  *
  * Directions are x east, y north, z up.
  */
@@ -70,8 +71,8 @@ struct pp_sky_picture {
     double horizontal_lx; /* unobstructed horizontal illuminance */
     double filled;        /* fraction of horizontal_lx from filled directions */
     double peak_cd_m2;    /* luminance of the brightest pixel */
-    int saturated;   /* number of pixels with peak_cd_m2, if they may be a sun beyond
-                      * the camera's range; else 0 */
+    int saturated;   /* number of pixels within 1 % of peak_cd_m2, if they may be a sun
+                      * beyond the camera's range; else 0 */
     uint64_t hash;   /* hash of the luminance: frames, horizon and fill */
     float *cells;    /* [PP_SKY_PICTURE_ROWS][PP_SKY_PICTURE_COLUMNS], cd/m2 */
     double step_rad; /* smallest angle of a pixel */
@@ -80,8 +81,8 @@ struct pp_sky_picture {
 
 /* Calculates the members after `title`. measured_lx: horizontal illuminance (lx; NAN:
  * none), with the measured sun, to which pixels are scaled. PP_BAD_INPUT if a pixel is
- * negative or not finite, the sky gives no light, or the sun alone gives measured_lx or
- * more. */
+ * negative or not finite, the sky gives no light, the sun alone gives measured_lx or
+ * more, or the measured sun is not in the picture. */
 enum pp_status pp_sky_picture_settle(struct pp_sky_picture *picture, double measured_lx,
                                      struct pp_error *err);
 

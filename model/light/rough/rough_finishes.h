@@ -14,7 +14,7 @@
 struct pp_rough_finish {
     struct pp_finish finish; /* its name, and its reflectance for diffuse light, where
                               * the pattern is 1 */
-    bool is_matt;            /* only the optics' `diffuse` of the surface is set */
+    bool is_matt;            /* no tables: only surface.optics.diffuse is used */
     struct pp_rough_surface surface;
     bool has_pattern;
     struct pp_surface_pattern pattern; /* factor of the optics' `diffuse` */

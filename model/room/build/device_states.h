@@ -31,15 +31,16 @@ bool pp_device_states_follows(const struct pp_opening *opening);
  * sun is not in front of the window, or below the horizon. */
 double pp_device_states_tilt(const struct pp_opening *opening, struct pp_vec3 sun);
 
-/* Turns the slats that follow the sun in the world itself, for its position; has_sun
- * false: there is no direct sunlight, and the slats are set to 0 degrees. */
+/* Changes the world: turns all slats that follow the sun to their angle for the sun in
+ * that direction. has_sun false: there is no direct sunlight, and the slats are set to
+ * 0 degrees. */
 enum pp_status pp_device_states_turn(struct pp_world *world, bool has_sun,
                                      struct pp_vec3 sun, struct pp_error *err);
 
-/* The room with all slats that follow the sun at one angle, for the light of the sky;
- * light of the sun is that of slats at their own angle. Their blinds for the sun are
- * shared with those of the state `other`; NULL: there is none. On success the caller
- * destroys *state. */
+/* The room with all slats that follow the sun at one angle, tilt_rad, for light from
+ * the sky. Direct sunlight still passes slats at the angle that follows the sun; the
+ * data for it are shared with the state `other`, or calculated if that is NULL. On
+ * success the caller destroys *state. */
 enum pp_status pp_device_states_tilted(struct pp_world **state,
                                        const struct pp_world *world, double tilt_rad,
                                        const struct pp_world *other,

@@ -99,7 +99,7 @@ static enum pp_status add_envelope_face(struct pp_resolver *r, enum pp_role role
 
 /* Makes floor, ceiling, and a wall on each edge of the counter-clockwise ring. Walls
  * are numbered by the edges of the file. If the ring is reversed (turned), edge i of
- * the ring is edge count - 2 - i of the file. */
+ * the ring is edge count - 2 - i (modulo count) of the file. */
 static enum pp_status raise_plan(struct pp_resolver *r, const struct pp_vec3 *ring,
                                  int count, bool turned, struct pp_error *err)
 {

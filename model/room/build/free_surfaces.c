@@ -249,8 +249,8 @@ static void flatten_to_plane(struct pp_polygon *polygon)
 
 /* Offsets a surface that lies in a face of the envelope: inwards if `inside`, else
  * outwards. is_of_room: the surface is a face or a facade of another room, and its
- * normal points into that room. Such a surface is offset only if it faces this room;
- * two fronts in one plane stay as they are. */
+ * normal points into that room. Such a surface is offset only if the two rooms are on
+ * opposite sides of it; two fronts in one plane stay as they are. */
 static void set_off(const struct pp_world *world, struct pp_polygon *polygon,
                     bool inside, bool is_of_room)
 {

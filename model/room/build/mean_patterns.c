@@ -1,8 +1,8 @@
 /* mean_patterns.c - means of patterns over the visible part of surfaces.
  *
  * The points are a Fibonacci lattice over the bounding rectangle of the surface: point
- * i of F(n) is at (i + 0.5) / F(n) along one side, and along the other at the
- * fractional part of (i + 0.5) F(n-1) / F(n). The mean of a chequer is then correct to
+ * i of F(n), with k = i + 1/2, is at k / F(n) along one side, and at the fractional
+ * part of k F(n-1) / F(n) along the other. The mean of a chequer is then correct to
  * 0.0005, whatever its period, if its squares are not smaller than a hundredth of the
  * surface.
  */
@@ -19,7 +19,7 @@ enum { POINTS = 75025, TURNS = 46368 }; /* Fibonacci numbers 25 and 24 */
 struct pattern_points {
     double mean; /* updated point by point: a constant remains exact */
     int count;
-    double low, high; /* least and greatest value, without NAN, and their places */
+    double low, high; /* least and greatest value, at low_at and high_at */
     struct pp_vec3 low_at, high_at;
     const char *fault; /* why the formula has no value at fault_at; NULL: it has */
     struct pp_vec3 fault_at;
@@ -105,7 +105,7 @@ static bool check_pattern_points(struct pp_mistakes *mistakes,
 {
     struct pp_rgb base = material->surface.optics.diffuse;
     double most = fmax(base.r, fmax(base.g, base.b));
-    /* Reflectance of spike and lobe, in the channel with most; 0 for a matt surface. */
+    /* Largest specular reflectance of the three channels; 0 for a matt surface. */
     double gloss =
         fmax(material->surface.reflectance[0],
              fmax(material->surface.reflectance[1], material->surface.reflectance[2]));

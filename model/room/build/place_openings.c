@@ -95,8 +95,9 @@ static bool is_opening_name(const struct pp_room *room, const char *text)
     return false;
 }
 
-/* Sets the label of an opening: its name, or else W (in walls) or RL (in ceilings) with
- * a number. Numbers that would give the name of another opening are skipped. */
+/* Sets the label of an opening: its name, or else W (in a wall) or RL (in any other
+ * face) with a number. Numbers that would give the name of another opening are
+ * skipped. */
 static void label_opening(struct pp_opening *opening, const struct pp_world *world,
                           const struct pp_room *room)
 {

@@ -30,7 +30,8 @@ static bool has(const struct pp_xml_element *e, const char *name)
     return false;
 }
 
-/* False, with a report, if the attributes specify the glass in two ways. */
+/* False, with a report, if the attributes specify the glass in two ways, or if
+ * glazing-peak is given without glazing-file. */
 static bool said_once(struct pp_reader *r, const struct pp_xml_element *e)
 {
     static const char *const pairs[][2] = {{"glazing", "transmittance"},

@@ -8,8 +8,8 @@
  *     window.width                  every window
  *     room.Kitchen.window.W1.width  in one room of a building
  *
- * A part is named by its `name` or `ref`, or else by its `wall`. Names may contain
- * points. A part given by name or number must be unique.
+ * A part is named by its `name`, its `ref` or its `wall`. Names may contain dots. A
+ * part given by name or number must be unique.
  */
 #ifndef PP_MODEL_ROOM_TEXT_ROOM_CHANGE_H
 #define PP_MODEL_ROOM_TEXT_ROOM_CHANGE_H

@@ -23,8 +23,8 @@ enum pp_photon_last {
 struct pp_photon_place {
     struct pp_vec3 point, normal; /* on the side from which light leaves */
     enum pp_space space;          /* space on that side */
-    struct pp_rgb exitance; /* flux density that leaves diffusely; at clear glass 1/(pi
-                             * times the density of the point) */
+    struct pp_rgb exitance; /* flux that leaves diffusely; at clear glass pi divided by
+                             * the density of the point */
     int clear;              /* index of a clear pane, whose light depends on direction;
                              * else -1 */
     int source;             /* index of the source if the place is the photon's start;

@@ -2,8 +2,8 @@
  * and ground, and the self-luminous surfaces in the room.
  *
  * A source is drawn in proportion to its estimated light, and a point on the source
- * uniformly. At clear glass, a direction is drawn in proportion to the luminance
- * outside times the glass's transmittance times the projected area. It is drawn from a
+ * uniformly. At an opening, a direction is drawn in proportion to the luminance
+ * outside times the pane's transmittance times the projected area. It is drawn from a
  * table over the unit square, which the concentric map [SC97] maps to the cosine lobe.
  * The estimates are made from the middle of each opening. They affect the variance
  * alone, since the light is divided by the known density of the direction.
@@ -34,8 +34,8 @@ struct pp_photon_source {
     double power;           /* estimated flux */
     double chance;          /* probability with which the source is drawn */
     double limit;           /* limit of cos cos'/d^2 (1/m2) for this probability */
-    bool clear;             /* true if directions are drawn from the table: */
-    double rows[PP_PHOTON_CELLS];
+    bool clear;             /* clear glass: photons continue in the direction drawn */
+    double rows[PP_PHOTON_CELLS]; /* table of an opening: means of its rows of cells */
     double cells[PP_PHOTON_CELLS][PP_PHOTON_CELLS]; /* values with a mean of 1 */
 };
 

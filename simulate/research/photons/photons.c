@@ -45,7 +45,7 @@ struct pp_photons {
     struct photon_point *points; /* the receivers, then the average if requested */
     double *chances;             /* probabilities of openings, by receiver */
     struct pp_photon_store *store;
-    bool shares; /* true if some receivers are points */
+    bool shares; /* true if there are receivers, and they are points, not discs */
     int point_count, receiver_count;
     struct pp_sampler sampler;
     struct pp_planner *planner;

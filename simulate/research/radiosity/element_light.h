@@ -3,8 +3,8 @@
  *
  * The trees are descended only as far as needed: an element represents all its parts if
  * its form factor times the possible variation of its radiosity is below a tolerance,
- * as in hierarchical radiosity [HSA91]. An undivided element above the tolerance is
- * marked for division. Possible obstructions are tested by rays to the element's
+ * as in hierarchical radiosity [HSA91]. An undivided element above a second tolerance
+ * is listed for division. Possible obstructions are tested by rays to the element's
  * corners and middle; a partly visible element is divided for this place alone.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_ELEMENT_LIGHT_H

@@ -46,9 +46,10 @@ enum pp_status pp_element_receivers_begin(struct pp_element_receivers *receivers
 /* Accuracy with which the light of elements is summed at any receiver. */
 struct pp_element_light_accuracy pp_element_receivers_accuracy(int level);
 
-/* Gathers light for the requested receivers. Elements that need division are listed in
- * `wanted` of the receiver. New cells outside are gathered, and the system is solved
- * again. */
+/* Gather light for the requested receivers. pp_element_receivers_by_openings also
+ * gathers light for new cells outside, and solves the system again.
+ * pp_element_receivers_by_elements lists the elements that need division in `wanted` of
+ * the receiver. */
 enum pp_status pp_element_receivers_by_openings(struct pp_element_receivers *receivers,
                                                 struct pp_error *err);
 enum pp_status pp_element_receivers_by_elements(struct pp_element_receivers *receivers,

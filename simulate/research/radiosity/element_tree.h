@@ -2,7 +2,8 @@
  * of a side, and each level consists of the parts of the level above. The radiosity of
  * an element is uniform; a divided element has the mean radiosity of its parts.
  *
- * A side without emission and reflection has no elements.
+ * Sides outdoors have no elements, nor have sides that neither emit, reflect nor
+ * transmit diffuse light.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_ELEMENT_TREE_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_ELEMENT_TREE_H

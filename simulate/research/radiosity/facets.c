@@ -39,9 +39,9 @@ static void set_side(struct pp_facet *facet, int side, bool indoors,
                                .exitance = PP_PI * material->radiance.g};
 }
 
-/* A cover (a door or dado) is treated as part of its wall's plane, although it is in
- * front of the wall for rays. Both cover and wall belong to the envelope; outdoors both
- * have the wall's finish. */
+/* A cover (a door or dado) is moved into its wall's plane; the world places it in front
+ * of the wall. Both cover and wall belong to the envelope; outdoors both have the
+ * wall's finish. */
 static void set_surface(struct pp_facet *facet, const struct pp_world *world, int index)
 {
     const struct pp_surface *surface = &world->surfaces[index];

@@ -51,8 +51,7 @@ struct pp_light_mark {
 
 struct pp_light_mark pp_light_sum_mark(const struct pp_light_sum *sum);
 
-/* Multiplies all light added between the two marks by the factor; 0 removes it. No
- * fixed light may have been added after `to`. */
+/* Multiplies all light added between the two marks by the factor; 0 removes it. */
 void pp_light_sum_scale(struct pp_light_sum *sum, const struct pp_light_mark *from,
                         const struct pp_light_mark *to, double factor);
 

@@ -226,7 +226,8 @@ static double add_pane(const struct looking *l)
     return light;
 }
 
-/* True if the receiving element is in front of the pane, on the room's side. */
+/* True if the receiving point is in front of the pane, on the room's side, and not on
+ * the pane itself. */
 static bool faces(const struct looking *l)
 {
     const struct pp_facet *pane = &l->room->facets->list[l->pane];

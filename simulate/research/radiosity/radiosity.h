@@ -27,8 +27,8 @@
 #include "model/room/world.h"
 
 struct pp_radiosity_options {
-    double error; /* target error relative to the daylight factor, at every point; at
-                   * least 0.00002 of Eh. 0: two levels */
+    double error; /* target error at every point, relative to the daylight factor or, if
+                   * that is less, to 0.2 %. 0: two levels */
     int threads;  /* 0: one for each processor */
 };
 

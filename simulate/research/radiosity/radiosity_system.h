@@ -36,7 +36,7 @@ struct pp_radiosity_system {
     struct pp_outside_cells *cells;
     struct pp_thread_pool *pool;
     struct pp_radiosity_system_accuracy accuracy;
-    struct pp_radiosity_system_row *rows; /* by element; only for undivided elements */
+    struct pp_radiosity_system_row *rows; /* by element; not used if it is divided */
     int row_count, row_room;
 };
 

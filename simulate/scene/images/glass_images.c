@@ -27,7 +27,8 @@ static bool mirrors(const struct pp_light_scene *scene, int pane)
            && scene->panes[pane].opening->glass.panes > 0;
 }
 
-/* Light exchanged by two openings that face each other, up to a constant factor. */
+/* Light exchanged by two openings that face each other, up to a constant factor and the
+ * cosines. */
 static double exchange(const struct pp_target *glass, const struct pp_target *window)
 {
     double apart = pp_vec_length(pp_vec_sub(glass->middle, window->middle));

@@ -69,8 +69,8 @@ static bool same_plane(const struct pp_mirror *a, const struct pp_mirror *b)
            && fabs(offset - a->offset_m) < SAME_OFFSET * (1.0 + fabs(a->offset_m));
 }
 
-/* Index of the mirror in the part's plane. Adds the mirror if there are not too many;
- * otherwise returns -1. */
+/* Index of the mirror in the part's plane. Adds the mirror if it is new. -1: the part
+ * is curved, or there are too many mirrors. */
 static int mirror_of(struct pp_light_scene *scene, const struct candidate *candidate)
 {
     struct pp_mirror plane;

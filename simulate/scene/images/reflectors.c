@@ -18,8 +18,9 @@ static const double WIDEST = 0.4;
 
 /* ---- found ---- */
 
-/* Makes a reflector from the part's side; false if the side is curved, does not reflect
- * light to the room, is too rough, or has both a spike and a lobe. */
+/* Makes a reflector from the part's side; false if the side has no gloss, is curved or
+ * too rough, or has both a spike and a lobe. Panes and outdoor sides of a world, and
+ * mirrors of a description, are not reflectors. */
 static bool reflector_of(const struct pp_light_scene *scene, int index, int side,
                          struct pp_reflector *reflector)
 {

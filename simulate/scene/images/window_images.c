@@ -11,7 +11,8 @@
 enum { MOST_IMAGES = 32 };
 
 /* The image is enlarged on each side by this factor times the lobe's roughness times
- * the opening's distance from the reflector. Chosen by trial. */
+ * the opening's distance from the reflector, and more if it is seen obliquely. Chosen
+ * by trial. */
 static const double BLUR = 2.0;
 
 /* ---- found ---- */

@@ -40,14 +40,15 @@ int pp_window_images_choose(const struct pp_light_scene *scene,
                             double *probability);
 
 /* Samples a direction from the viewer to a visible image by two numbers in (0, 1), and
- * sets its density per steradian. False if the direction misses the reflector's
- * plane. */
+ * sets its density per steradian. False if no direction is found, or if it misses the
+ * reflector's plane. */
 bool pp_window_images_sample(const struct pp_light_scene *scene, int image,
                              const struct pp_image_viewer *viewer, double u, double v,
                              struct pp_vec3 *to, double *pdf);
 
 /* The density of choosing the image of this window in this reflector, and of the
- * direction, per steradian; 0 if there is no such image. */
+ * direction, per steradian; 0 if there is no such image. The probability of the choice
+ * is taken as the image's fraction of all importances. */
 double pp_window_images_pdf(const struct pp_light_scene *scene, int reflector,
                             int window, const struct pp_image_viewer *viewer,
                             struct pp_vec3 to);

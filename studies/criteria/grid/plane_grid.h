@@ -36,7 +36,7 @@ struct pp_plane_grid {
     int count;
     int columns, rows;
     double cell_m[2]; /* width and depth of a cell */
-    double spacing_m; /* largest side of a cell */
+    double spacing_m; /* limit for the sides of a cell */
     double margin_m;
     enum pp_grid_origin origin;
     int halvings;     /* halvings of the origin's spacing */

@@ -13,9 +13,9 @@ struct pp_share_target {
 };
 
 /* Compares the level that the part of the plane reaches with the target. The column has
- * a value at each of `count` points (1 or more), which are the
- * receivers. grid: the grid of these points; NULL: no grid, and no error due to a grid.
- * Bands of the column, if any, can make the verdict undecided. */
+ * a value at each of `count` points (1 or more), which are the receivers. grid: the
+ * grid of these points; NULL: no grid, and no error due to a grid. Bands of the column,
+ * if any, can make the verdict undecided. */
 enum pp_status pp_share_finding(struct pp_finding *finding,
                                 const struct pp_share_target *target,
                                 const struct pp_column *column,

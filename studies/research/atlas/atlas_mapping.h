@@ -26,7 +26,8 @@ extern const char *const pp_atlas_mapping_names[PP_MAP_KINDS];
  * is at points; if the method gives only averages, it is of averages. A ratio counts if
  * the standard error of the simulated value is at most a tenth of that value. All
  * points of a room in a class together count as one. The map refers to the table.
- * PP_BAD_INPUT if the table has no such method, or lacks the columns of the axes. */
+ * PP_BAD_INPUT if the table has no such method, lacks the columns of the axes, or has
+ * no values for the map. */
 enum pp_status pp_atlas_mapping_of(struct pp_atlas_map *map,
                                    const struct pp_atlas_table *table,
                                    enum pp_atlas_mapping_kind kind, const char *method,

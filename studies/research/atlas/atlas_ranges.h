@@ -59,8 +59,8 @@ struct pp_atlas_ranges {
     double area_m2[2]; /* floor area, uniform in the logarithm */
     double ratio[2];   /* width divided by depth, uniform in the logarithm */
     double roofs[PP_ATLAS_ROOFS];
-    double height_m[2]; /* height of a flat ceiling; 5 mm are added for each m2 of
-                         * floor */
+    double height_m[2]; /* height of a flat ceiling, uniform in the logarithm; 5 mm are
+                         * added to both ends for each m2 of floor */
     double floor[2], walls[2], ceiling[2]; /* reflectances */
 
     double places[PP_ATLAS_PLACES];

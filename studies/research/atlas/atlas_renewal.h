@@ -11,8 +11,8 @@
 #include "studies/research/atlas/atlas_drawn.h"
 #include "studies/research/atlas/atlas_table.h"
 
-/* Number of complete rooms in the table. PP_BAD_INPUT if the rows do not belong to
- * consecutive rooms of such a sweep. */
+/* Number of complete rooms in the table. PP_BAD_INPUT if the rows are not those of the
+ * rooms 0, 1, 2, ... in this order. */
 enum pp_status pp_atlas_renewal_rooms(int *rooms, const struct pp_atlas_table *table,
                                       struct pp_error *err);
 

@@ -3,7 +3,7 @@
  * The search covers all sets of up to three causes, no two of a kind. A set's
  * probability is
  *
- *     P(set) ~ density of the gap by (1) of likelihood.h x product over kinds
+ *     P(set) ~ density of the gap by (1) of likelihood.h x priors of its kinds
  *
  * The prior probability of a kind is 0.12 (0.4 for a common factor), shared equally by
  * its causes. If two sets explain the difference equally well, the smaller one is at

@@ -23,7 +23,7 @@ struct pp_monthly_suns {
 
 void pp_monthly_suns_fill(struct pp_monthly_suns *suns, const struct pp_hand_case *of);
 
-/* Index of an hour: month times PP_MONTHLY_SUNS_HOURS plus hour of the day. */
+/* Index of an hour: month, from 0, times PP_MONTHLY_SUNS_HOURS plus hour of the day. */
 int pp_monthly_suns_index(const struct pp_hand_hour *hour);
 
 #endif

@@ -20,8 +20,9 @@ struct pp_reference_skies {
     bool failed;    /* true: out of memory */
 };
 
-/* Adds a sky without its sun, scaled to 1 lx, or a sun without a sky; returns its index.
- * Equal skies have one index. A black sky has the index -1, whose factor is 0. */
+/* Adds a sky without its sun, scaled to 1 lx, or a sun without a sky; returns its
+ * index. Equal skies have one index. A black sky and a sun below the horizon have the
+ * index -1, whose factor is 0. */
 int pp_reference_skies_add(struct pp_reference_skies *skies,
                            const struct pp_perez_sky *sky);
 int pp_reference_skies_add_standard(struct pp_reference_skies *skies,
