@@ -8,6 +8,8 @@
  * rho_f, since light through such glass reaches the plane only after reflection by the
  * floor. The other practice, `average-df-above`, omits glass below the plane [BS8206].
  * A rooflight with a well is weighted by the well's efficiency (reflected/well.h).
+ * `average-df-well` is the newer form for a room off an atrium or a light well, with an
+ * angle theta that stands for the light on the window (reflected/well_window.h).
  *
  * The two forms are averages over different surfaces and should not be compared: before
  * dirt and without glass below the working plane, the older form is (1 + R)/2 times the
@@ -23,6 +25,7 @@
 #include "methods/reflected/interior.h"
 #include "methods/reflected/sky_angle.h"
 #include "methods/reflected/well.h"
+#include "methods/reflected/well_window.h"
 #include "methods/method.h"
 #include "methods/refusals.h"
 
@@ -114,6 +117,14 @@ static const struct pp_formula *const formulae_of_above[] = {
 static const struct pp_formula *const formulae_of_lynes[] = {
     &pp_allowance_glass_W, PP_SKY_ANGLE_FORMULAE, &average_of_surfaces, NULL};
 
+static const struct pp_formula *const formulae_of_well[] = {&pp_allowance_glass_W,
+                                                            &glass_that_counts,
+                                                            &pp_sky_angle_head,
+                                                            &pp_well_window_light,
+                                                            &pp_well_window_theta,
+                                                            &average,
+                                                            NULL};
+
 /* Treatment of glass below the working plane. */
 enum low_glass { COUNTS_BY_FLOOR, LEFT_OUT, COUNTS_IN_FULL };
 
@@ -150,6 +161,17 @@ static void put_well(struct pp_worksheet *sheet, const struct pp_world *world,
                       "effective net glass area at the foot of the well");
 }
 
+/* Puts W on the worksheet for glass without a well. */
+static void put_glass(struct pp_worksheet *sheet, const struct pp_world *world,
+                      const struct pp_opening *opening, enum low_glass practice)
+{
+    double low_m2 = pp_interior_area_below(&opening->inner, world->working_plane_m);
+    if (practice != COUNTS_IN_FULL && low_m2 > 0.0)
+        put_low_glass(sheet, world, opening, low_m2, practice);
+    else
+        pp_allowance_net_glass(sheet, &pp_allowance_glass_W, opening);
+}
+
 static enum pp_status put_terms(struct pp_worksheet *sheet,
                                 const struct pp_world *world,
                                 const struct pp_outside_light *light,
@@ -157,15 +179,12 @@ static enum pp_status put_terms(struct pp_worksheet *sheet,
                                 enum low_glass practice, struct pp_error *err)
 {
     struct pp_interior all = pp_interior_all(world);
-    double low_m2 = pp_interior_area_below(&opening->inner, world->working_plane_m);
     pp_allowance_put(sheet, PP_ALLOWS_OWN_GLASS, opening, "T",
                      "diffuse transmittance of the glass");
     if (pp_well_is(opening))
         put_well(sheet, world, light, opening);
-    else if (practice != COUNTS_IN_FULL && low_m2 > 0.0)
-        put_low_glass(sheet, world, opening, low_m2, practice);
     else
-        pp_allowance_net_glass(sheet, &pp_allowance_glass_W, opening);
+        put_glass(sheet, world, opening, practice);
     enum pp_status status = pp_sky_angle(sheet, world, light, opening, err);
     if (status == PP_OK)
         pp_interior_put(sheet, &all);
@@ -209,6 +228,28 @@ static enum pp_status evaluate_above(const struct pp_world *world,
     return work_newer_form(world, light, opening, LEFT_OUT, part, err);
 }
 
+static enum pp_status evaluate_of_well(const struct pp_world *world,
+                                       const struct pp_outside_light *light,
+                                       const struct pp_opening *opening,
+                                       const struct pp_receiver *receiver,
+                                       const void *tools, struct pp_part *part,
+                                       struct pp_error *err)
+{
+    (void)receiver, (void)tools;
+    struct pp_worksheet *sheet = &part->sheet;
+    struct pp_interior all = pp_interior_all(world);
+    pp_allowance_put(sheet, PP_ALLOWS_OWN_GLASS, opening, "T",
+                     "diffuse transmittance of the glass");
+    put_glass(sheet, world, opening, COUNTS_BY_FLOOR);
+    enum pp_status status = pp_well_window_angle(sheet, world, light, opening, err);
+    if (status != PP_OK)
+        return status;
+    pp_interior_put(sheet, &all);
+    pp_allowance_put(sheet, PP_ALLOWS_DIRT, opening, "M", "maintenance factor");
+    part->value = pp_worksheet_work(sheet, &average, "average daylight factor");
+    return PP_OK;
+}
+
 static enum pp_status evaluate_lynes(const struct pp_world *world,
                                      const struct pp_outside_light *light,
                                      const struct pp_opening *opening,
@@ -223,6 +264,14 @@ static enum pp_status evaluate_lynes(const struct pp_world *world,
         part->value = pp_worksheet_work(&part->sheet, &average_of_surfaces,
                                         "average daylight factor over all surfaces");
     return status;
+}
+
+static const char *refuses_room_off_well(const struct pp_world *world,
+                                         const struct pp_outside_light *light,
+                                         const struct pp_receiver *receiver)
+{
+    const char *why = pp_refusals_formula_room(world, light, receiver);
+    return why ? why : pp_well_window_refuses_room(world);
 }
 
 const struct pp_method pp_method_average_df = {
@@ -255,6 +304,23 @@ const struct pp_method pp_method_average_df_above = {
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME | PP_ALLOWS_DIRT,
     .refuses_room = pp_refusals_formula_room,
     .evaluate = evaluate_above,
+};
+
+const struct pp_method pp_method_average_df_well = {
+    .name = "average-df-well",
+    .any_pane = true,
+    .summary = "average daylight factor of a room off an atrium or light well",
+    .source = "CL84",
+    .formulae = formulae_of_well,
+    .gives = PP_GIVES_WHOLE,
+    .takes_blinds = true,
+    .of_well = true,
+    .by_name = true,
+    .speaks_for = PP_FOR_ROOM,
+    .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME | PP_ALLOWS_DIRT,
+    .refuses_room = refuses_room_off_well,
+    .refuses = pp_well_window_refuses,
+    .evaluate = evaluate_of_well,
 };
 
 const struct pp_method pp_method_average_df_lynes = {

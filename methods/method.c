@@ -29,6 +29,7 @@ const struct pp_method *const pp_methods[] = {
     &pp_method_split_flux_atlas,
     &pp_method_average_df,
     &pp_method_average_df_above,
+    &pp_method_average_df_well,
     &pp_method_average_df_lynes,
     &pp_method_average_df_atlas,
     &pp_method_efficiency,
@@ -59,9 +60,9 @@ const char *pp_method_refuses_room(const struct pp_method *method,
     if (world->tree_count > 0)
         return "does not cover trees, whose crowns let part of the light through; a "
                "simulation (--simulate) covers trees";
-    if (world->outer_pane_count > 0)
+    if (world->outer_pane_count > 0 && !method->of_well)
         return "does not cover rooms nested within a model that has glass between the "
-               "room and the sky";
+               "room and the sky; average-df-well and a simulation (--simulate) do";
     return method->refuses_room ? method->refuses_room(world, light, receiver) : NULL;
 }
 

@@ -90,9 +90,11 @@ struct pp_method {
                            * place of the room's; 0: none */
     bool takes_blinds;    /* true: figures are multiplied by the mean transmittance of a
                            * blind; false: a window with a blind is refused */
-    bool by_name;         /* true: not included in "all", since few rooms have receivers
+    bool of_well;     /* true: for rooms nested in an atrium or well, also behind its
+                           * glass, and only for these */
+    bool by_name;     /* true: not included in "all", since few rooms have receivers
                            * of the kind required */
-    bool counts;          /* true: squares or dots are counted, so that readings are
+    bool counts;      /* true: squares or dots are counted, so that readings are
                        * multiples of the value of one square or dot */
     bool any_pane;    /* uses only the diffuse transmittance of glass, so that it also
                        * covers panes that scatter by direction */
@@ -233,6 +235,7 @@ extern const struct pp_method pp_method_split_flux_atlas;
 /* The daylight factor as a whole: */
 extern const struct pp_method pp_method_average_df;
 extern const struct pp_method pp_method_average_df_above;
+extern const struct pp_method pp_method_average_df_well;
 extern const struct pp_method pp_method_average_df_lynes;
 extern const struct pp_method pp_method_average_df_atlas;
 extern const struct pp_method pp_method_efficiency;

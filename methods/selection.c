@@ -93,7 +93,7 @@ static enum pp_status add_all(struct pp_selection *selection, struct pp_error *e
         if (pp_methods[i]->gives == PP_GIVES_INTERNAL)
             status = add_selected_method(selection, exact, pp_methods[i], err);
     for (int i = 0; pp_methods[i] && status == PP_OK; i++)
-        if (pp_methods[i]->gives == PP_GIVES_WHOLE)
+        if (pp_methods[i]->gives == PP_GIVES_WHOLE && !pp_methods[i]->by_name)
             status = add_selected_method(selection, pp_methods[i], NULL, err);
     return status;
 }

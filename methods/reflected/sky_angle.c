@@ -57,12 +57,18 @@ static double depth_of(const struct pp_opening *opening)
     return opening->reveal_m + opening->recess_m;
 }
 
-static void put_reveal(struct pp_worksheet *sheet, const struct pp_opening *opening)
+void pp_sky_angle_head_of(struct pp_worksheet *sheet, const struct pp_opening *opening)
 {
+    if (depth_of(opening) == 0.0) {
+        pp_worksheet_put(sheet, PP_UNIT_ANGLE, PP_PI / 2.0, "theta_h",
+                         "upper limit of the visible sky: the zenith");
+        return;
+    }
     pp_worksheet_put(sheet, PP_UNIT_METRE, opening->height_m, "h",
                      "height of the opening");
     pp_worksheet_put(sheet, PP_UNIT_METRE, depth_of(opening), "d",
                      "depth of the reveal");
+    pp_worksheet_work(sheet, &pp_sky_angle_head, "altitude of the head of the reveal");
 }
 
 static void put_sloping(struct pp_worksheet *sheet, const struct pp_opening *opening)
@@ -85,14 +91,8 @@ enum pp_status pp_sky_angle(struct pp_worksheet *sheet, const struct pp_world *w
         pp_obstruction_angle(&alpha_rad, world, light, opening, err);
     if (status != PP_OK)
         return status;
-    if (vertical && depth_of(opening) > 0.0) {
-        put_reveal(sheet, opening);
-        pp_worksheet_work(sheet, &pp_sky_angle_head,
-                          "altitude of the head of the reveal");
-    } else if (vertical) {
-        pp_worksheet_put(sheet, PP_UNIT_ANGLE, PP_PI / 2.0, "theta_h",
-                         "upper limit of the visible sky: the zenith");
-    }
+    if (vertical)
+        pp_sky_angle_head_of(sheet, opening);
     pp_worksheet_put(sheet, PP_UNIT_ANGLE, alpha_rad, "alpha",
                      "angle of the obstruction");
     if (vertical)

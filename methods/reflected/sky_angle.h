@@ -27,4 +27,7 @@ enum pp_status pp_sky_angle(struct pp_worksheet *sheet, const struct pp_world *w
                             const struct pp_outside_light *light,
                             const struct pp_opening *opening, struct pp_error *err);
 
+/* Records theta_h of a vertical opening: the altitude of the head of its reveal. */
+void pp_sky_angle_head_of(struct pp_worksheet *sheet, const struct pp_opening *opening);
+
 #endif

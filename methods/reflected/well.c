@@ -9,11 +9,11 @@
 #include "model/light/graded_sky.h"
 
 enum {
-    BANDS = 12,     /* bands of the sides; twice as many change the efficiency by
-                     * less than 0.002 */
-    ALTITUDES = 48, /* altitudes of light that passes without reflection */
-    AZIMUTHS = 12,  /* azimuths in a quarter of the circle */
-    TOP = BANDS,    /* the glass seen from below, a further zone after the bands */
+    BANDS = PP_WELL_BANDS, /* twice as many change the efficiency by less than 0.002 */
+    ALTITUDES = 48,        /* altitudes of light that passes without reflection */
+    AZIMUTHS = 12,         /* azimuths in a quarter of the circle */
+    TOP = BANDS, /* the glass seen from below, a further zone after the bands */
+    FOOT,        /* the floor of an atrium; the foot of a rooflight's well is black */
     ZONES,
 };
 
@@ -37,17 +37,20 @@ static double overlap(double x, double y)
 
 /* through[i]: fraction of the light that passes section i of the shaft (0 is the top)
  * without touching the sides. Directions are at equal steps of azimuth and of the sine
- * s of the angle to the shaft, with weight s ds. */
-static void pass_straight(double through[BANDS + 1], const struct pp_well_shape *shape,
-                          double b, const struct pp_glass *glass)
+ * s of the angle to the shaft, with weight s ds. Returns the transmittance of the glass
+ * for this light. */
+static double pass_straight(double through[BANDS + 1],
+                            const struct pp_well_shape *shape, double b,
+                            const struct pp_glass *glass)
 {
-    double sum = 0.0;
+    double sum = 0.0, on_glass = 0.0;
     for (int i = 0; i <= BANDS; i++)
         through[i] = 0.0;
     for (int k = 0; k < ALTITUDES; k++) {
         double sine = (k + 0.5) / ALTITUDES, cosine = sqrt(1.0 - sine * sine);
-        double weight = sine * pp_graded_sky_luminance(b, cosine)
-                        * pp_glass_transmittance(glass, cosine);
+        double light = sine * pp_graded_sky_luminance(b, cosine);
+        double weight = light * pp_glass_transmittance(glass, cosine);
+        on_glass += light * AZIMUTHS;
         double aside_m = shape->depth_m / BANDS * sine / cosine;
         for (int j = 0; j < AZIMUTHS; j++) {
             double azimuth_rad = (j + 0.5) / AZIMUTHS * PP_PI / 2.0;
@@ -60,6 +63,7 @@ static void pass_straight(double through[BANDS + 1], const struct pp_well_shape 
     }
     for (int i = 0; i <= BANDS; i++)
         through[i] /= sum;
+    return sum / on_glass;
 }
 
 /* factor[i]: form factor between sections i bands apart. */
@@ -92,8 +96,7 @@ static void solve(double M[ZONES][ZONES], double y[ZONES])
     }
 }
 
-/* Reflectance of the glass from below, for diffuse light. */
-static double back_of(const struct pp_glass *glass)
+double pp_well_glass_back(const struct pp_glass *glass)
 {
     double sum = 0.0;
     for (int k = 0; k < ALTITUDES; k++) {
@@ -112,20 +115,19 @@ static double back_of(const struct pp_glass *glass)
  *     to itself  1 - 2 section (1 - F(1))
  *     to the foot, n bands below its upper edge: section (F(n - 1) - F(n))
  *
- * The exchange with the glass above has the same form; the glass reflects some of the
- * light down again.
+ * The exchange with the top has the same form. top, foot: reflectances seen from within.
+ * on_zone: in, light that comes straight from the sky; out, all light.
  */
-struct pp_well_efficiency pp_well_efficiency(const struct pp_well_shape *shape,
-                                             double b, const struct pp_glass *glass)
+static void exchange(double on_zone[ZONES], const double F[BANDS + 1],
+                     const struct pp_well_shape *shape, double top, double foot)
 {
-    double T[BANDS + 1], F[BANDS + 1], M[ZONES][ZONES], on_zone[ZONES];
-    pass_straight(T, shape, b, glass);
-    form_factors(F, shape);
-    double section = BANDS / (4.0 * pp_well_index(shape)), back = back_of(glass);
+    double M[ZONES][ZONES], section = BANDS / (4.0 * pp_well_index(shape));
     for (int i = 0; i < BANDS; i++) {
-        on_zone[i] = T[i] - T[i + 1];
-        M[i][TOP] = -back * (F[i] - F[i + 1]);
-        M[TOP][i] = -shape->sides * section * (F[i] - F[i + 1]);
+        double to_top = F[i] - F[i + 1], to_foot = F[BANDS - 1 - i] - F[BANDS - i];
+        M[i][TOP] = -top * to_top;
+        M[TOP][i] = -shape->sides * section * to_top;
+        M[i][FOOT] = -foot * to_foot;
+        M[FOOT][i] = -shape->sides * section * to_foot;
         for (int j = 0; j < BANDS; j++) {
             int m = i > j ? i - j : j - i;
             double sent = m == 0 ? 1.0 - 2.0 * section * (1.0 - F[1])
@@ -133,15 +135,55 @@ struct pp_well_efficiency pp_well_efficiency(const struct pp_well_shape *shape,
             M[i][j] = (i == j) - shape->sides * sent;
         }
     }
-    M[TOP][TOP] = 1.0;
-    on_zone[TOP] = 0.0;
+    M[TOP][TOP] = M[FOOT][FOOT] = 1.0;
+    M[TOP][FOOT] = -foot * F[BANDS];
+    M[FOOT][TOP] = -top * F[BANDS];
     solve(M, on_zone);
+}
+
+struct pp_well_efficiency pp_well_efficiency(const struct pp_well_shape *shape,
+                                             double b, const struct pp_glass *glass)
+{
+    double T[BANDS + 1], F[BANDS + 1], on_zone[ZONES] = {0.0};
+    pass_straight(T, shape, b, glass);
+    form_factors(F, shape);
+    double section = BANDS / (4.0 * pp_well_index(shape)),
+           back = pp_well_glass_back(glass);
+    for (int i = 0; i < BANDS; i++)
+        on_zone[i] = T[i] - T[i + 1];
+    exchange(on_zone, F, shape, back, 0.0);
     struct pp_well_efficiency efficiency = {.whole = T[BANDS], .direct = T[BANDS]};
     efficiency.whole += back * on_zone[TOP] * F[BANDS];
     for (int i = 0; i < BANDS; i++)
         efficiency.whole +=
             shape->sides * on_zone[i] * section * (F[BANDS - 1 - i] - F[BANDS - i]);
     return efficiency;
+}
+
+void pp_well_add_sky(struct pp_well_flux *flux, const struct pp_well_shape *shape,
+                     double b, const struct pp_glass *glass, double share)
+{
+    double T[BANDS + 1];
+    double entering = share * pass_straight(T, shape, b, glass);
+    for (int i = 0; i < BANDS; i++)
+        flux->bands[i] += entering * (T[i] - T[i + 1]);
+    flux->foot += entering * T[BANDS];
+}
+
+void pp_well_exchange(struct pp_well_flux *flux, const struct pp_well_shape *shape,
+                      double top, double foot)
+{
+    double F[BANDS + 1], on_zone[ZONES];
+    form_factors(F, shape);
+    for (int i = 0; i < BANDS; i++)
+        on_zone[i] = flux->bands[i];
+    on_zone[TOP] = flux->top;
+    on_zone[FOOT] = flux->foot;
+    exchange(on_zone, F, shape, top, foot);
+    for (int i = 0; i < BANDS; i++)
+        flux->bands[i] = on_zone[i];
+    flux->top = on_zone[TOP];
+    flux->foot = on_zone[FOOT];
 }
 
 static struct pp_well_shape shape_of(const struct pp_world *world,

@@ -47,6 +47,27 @@ struct pp_well_efficiency pp_well_efficiency(const struct pp_well_shape *shape,
 
 double pp_well_index(const struct pp_well_shape *shape);
 
+/* Reflectance of the glass from below, for diffuse light. */
+double pp_well_glass_back(const struct pp_glass *glass);
+
+enum { PP_WELL_BANDS = 12 }; /* horizontal bands of the sides, from the top down */
+
+/* Flux on the parts of a shaft, divided by Eh and by the area of its section. */
+struct pp_well_flux {
+    double bands[PP_WELL_BANDS];
+    double top, foot; /* seen from within */
+};
+
+/* Adds the light of the sky that comes straight through glass which covers `share` of
+ * the top, spread evenly. b: as for pp_well_efficiency. */
+void pp_well_add_sky(struct pp_well_flux *flux, const struct pp_well_shape *shape,
+                     double b, const struct pp_glass *glass, double share);
+
+/* Adds all reflections to the light that comes straight from the sky. top, foot:
+ * reflectances seen from within. */
+void pp_well_exchange(struct pp_well_flux *flux, const struct pp_well_shape *shape,
+                      double top, double foot);
+
 /* The efficiencies of an opening's well; both are 1 if there is no well. */
 struct pp_well_efficiency pp_well_of(const struct pp_world *world,
                                      const struct pp_outside_light *light,

@@ -119,6 +119,7 @@ struct pp_opening {
                                  * and place in the file W1, W2 or RL1 (a rooflight) */
     int part;                  /* index among its room's openings, in file order */
     bool is_nested;            /* its light comes from the coarse model */
+    int counterpart;           /* is_nested: index of its opening in the coarse model */
     int line;
 
     /* True if no corner of the opening is behind the plane of a face. Then no face

@@ -84,6 +84,11 @@ check "radiosity refuses panes before the windows" refuses 1 \
     "has panes between the room and the sky" df -s --engine radiosity office.xml
 check "hand methods refuse them" shows \
     "exact: does not cover rooms nested within a model that has glass" df office.xml
+check "but the formula for rooms off a well gives an average" sh -c \
+    "'$pepperpot' df --methods average-df-well --format csv office.xml |
+        grep -q 'average,.*df,average-df-well,[0-9]'"
+check "and its assumptions" shows "depth of the window's middle below the roof" \
+    df --methods average-df-well --explain --points 2,1 office.xml
 check "the report names the model" shows \
     "within         atrium, in front of the windows; 20 surfaces, 1 pane" df office.xml
 
@@ -117,6 +122,9 @@ factors street-whole.xml >whole
 factors street-office.xml >nested
 check "an office in a street gets the light of the whole model" agree nested whole
 
+check "a street is no well" shows "average-df-well: the coarse model is in the place" \
+    df --methods average-df-well street-office.xml
+
 # The street as a room without a roof, in front of the windows.
 room canyon '' '<plan width="40" depth="12" height="12"/>
     <finishes floor="0.15" walls="0.35" ceiling="0"/>
@@ -133,6 +141,9 @@ room canyon-whole '' "$office"'<site ground-level="-1.2" ground-reflectance="0.1
 factors canyon-whole.xml >whole
 factors canyon-office.xml >nested
 check "also if the street is a room without a roof" agree nested whole
+check "it is no well, since its ends are open" shows \
+    "average-df-well: the coarse model has a window in" \
+    df --methods average-df-well canyon-office.xml
 check "where hand methods apply" sh -c \
     "'$pepperpot' df --format csv canyon-office.xml | grep -q 'sc,exact,[0-9]'"
 
@@ -179,6 +190,14 @@ room bad 'within="atrium.xml"' "$office<skyline wall='south' angle='20'/>"
 check "the outside belongs to the model" refuses 1 \
     "skyline: the room is nested within another model" df bad.xml
 room bad 'within="atrium.xml"' "$office<window wall='north' left='1' sill='1' width='1' height='1'/>"
+room floored '' "$(echo "$atrium$roof")<opening name='w' glazing='none'>
+    <vertex x='1' y='1' z='0'/><vertex x='2' y='1' z='0'/><vertex x='2' y='2' z='0'/>
+    <vertex x='1' y='2' z='0'/></opening>"
+room below 'within="floored.xml"' '<plan width="6" depth="5" height="3"/>
+    <finishes floor="0.2" walls="0.5" ceiling="0.7"/>
+    <rooflight name="w" x="1" y="1" width="1" depth="1" glazing="none"/>'
+check "a rooflight in the floor of an atrium is no window off a well" shows \
+    "is not vertical" df --methods average-df-well below.xml
 check "a window without a counterpart gives a warning" warns \
     "W1 has no counterpart in the coarse model" df bad.xml
 tap_done

@@ -150,6 +150,7 @@ static void match_opening(struct nesting *n, struct pp_opening *own, int other)
         say_misfit(n, own->line, own->label, what);
     }
     own->is_nested = true;
+    own->counterpart = other;
     n->matched[other] = true;
     n->matches++;
 }
