@@ -58,8 +58,9 @@ static void write_cells(char cells[COLUMNS][CELL], const struct pp_finding *find
         snprintf(cells[LUX], CELL, "%.0f lx", layout->external_lux * finding->figure);
 }
 
-/* Limits of the first column's width. */
-enum { WHAT_LEAST = 12, WHAT_MOST = 44 };
+/* Limits of the first column's width, and its width if less than the least is left: the
+ * terminal then wraps the lines. */
+enum { WHAT_LEAST = 6, WHAT_MOST = 44, WHAT_WRAPPED = 20 };
 
 /* Sets the column widths. All columns except the first are as wide as necessary, and at
  * least as wide as in most criteria, so that columns of different criteria are
@@ -84,8 +85,8 @@ static void lay_out_columns(struct layout *layout,
     layout->widths[WHAT] = layout->width - used;
     if (layout->widths[WHAT] > WHAT_MOST)
         layout->widths[WHAT] = WHAT_MOST;
-    if (layout->widths[WHAT] < WHAT_LEAST) /* the terminal wraps these lines */
-        layout->widths[WHAT] = WHAT_LEAST;
+    if (layout->widths[WHAT] < WHAT_LEAST)
+        layout->widths[WHAT] = WHAT_WRAPPED;
 }
 
 /* ---- rows ---- */
