@@ -21,7 +21,8 @@ int pp_sun_closure_year(const struct pp_epw *epw)
     return year >= 1950 && year <= 2050 ? year : 2001;
 }
 
-/* Sums of squares by shift, for the columns of the file and for swapped columns. */
+/* Sums of squares of the difference: for each shift; and without a shift for the file's
+ * columns of direct and diffuse light swapped. */
 struct closure_sums {
     double squares[SHIFTS], swapped;
     int records;

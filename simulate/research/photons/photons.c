@@ -17,9 +17,9 @@
 enum { DIRECT, PHOTONS, GATHER, ESTIMATORS };
 enum { SUM_DIRECT = 0, SUM_PHOTONS = 2, SUM_GATHER = 4 };
 
-/* Greatest number of photons that receivers share in a randomisation. The photons of one
- * randomisation take about 5 MB in a bright room, and those of 64 are in memory at a
- * time. If more photons are needed, there are more randomisations. */
+/* Greatest number of photons that receivers share in a randomisation. The photons of
+ * one randomisation take about 5 MB in a bright room, and those of 64 are in memory at
+ * a time. If more photons are needed, there are more randomisations. */
 enum { MOST_SHARED = 1024 };
 
 /* Cost of a shared photon to a receiver, in rays, as if about 25 receivers used the

@@ -156,7 +156,8 @@ static void compare_with_own_paths(struct pp_world *world,
     pp_world_destroy(world);
 }
 
-/* Points beside walls, on the floor, tilted, and on the whole plane. */
+/* Points beside walls, near the floor and tilted, and the average over the working
+ * plane. */
 static void a_point_that_shares_agrees_with_one_that_does_not(void **state)
 {
     (void)state;
