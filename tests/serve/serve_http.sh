@@ -71,7 +71,7 @@ stops_work() {
 }
 check "work stops when the client has gone" stops_work
 
-# A room whose daylight factors take several seconds.
+# A room whose daylight factors take about a second, and its criteria several.
 awk 'BEGIN {
     printf "<room version=\"1\"><sky type=\"iso-12\" sun-altitude=\"40\" sun-bearing=\"180\"/>"
     printf "<plan width=\"11\" depth=\"8\" height=\"3\"/>"
@@ -283,7 +283,7 @@ check "and the server answers each" nothing "$(statuses)"
 asks "$deep" '{"error":0.1}'
 curl -s -H "$json" -d @"$scratch/asked" "$address/api/trace" >/dev/null &
 asks "$scratch/large.xml" '{}'
-curl -s -H "$json" -d @"$scratch/asked" -o "$scratch/answer" -w '%{http_code}' "$address/api/df" >"$scratch/status" &
+curl -s -H "$json" -d @"$scratch/asked" -o "$scratch/answer" -w '%{http_code}' "$address/api/assess" >"$scratch/status" &
 waiting=$!
 sleep 0.5
 began=$(date +%s%N)
