@@ -36,6 +36,11 @@ class Board extends EventTarget {
         return this.rooms[this.roomIndex] ?? this.rooms[0] ?? null;
     }
 
+    // The option of a request that names the room of a building.
+    get roomOption() {
+        return this.rooms.length > 1 && this.roomName ? { room: this.roomName } : {};
+    }
+
     get roomName() {
         return valueOf(this.room, 'name', '');
     }

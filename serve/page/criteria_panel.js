@@ -50,9 +50,7 @@ export async function updateCriteria() {
     const own = asked = new AbortController();
     $('criteria').setAttribute('aria-busy', 'true');
     try {
-        const options = { 'by-hand': true };
-        if (board.rooms.length > 1 && board.roomName) options.room = board.roomName;
-        draw(await engine.assess(board.text, options, own.signal));
+        draw(await engine.assess(board.text, { 'by-hand': true, ...board.roomOption }, own.signal));
     } catch (error) {
         if (error.name !== 'AbortError') replaceChildren($('criteria'), h('p', { class: 'bad' }, error.message));
     }

@@ -23,17 +23,14 @@ export const switches = { trace: true, error: 1 };
 // The curve and the components use the method of the contours.
 const methodOf = (plan) => plan?.method ?? 'exact+bre';
 
-function optionsOf(more = {}) {
-    const options = { ...more };
-    if (board.rooms.length > 1 && board.roomName) options.room = board.roomName;
-    return options;
-}
+// Options of a plan; an empty method is the default.
+const planOptions = (tolerance, method) => ({ tolerance, average: false, ...(method ? { methods: method } : {}), ...board.roomOption });
 
 // The curve follows the contours: on two cores, both at once would only delay the contours.
 async function updateOnce() {
     const { variant, text, roomName, method } = board, from = performance.now();
     const tolerance = board.isHeld ? COARSE : FINE;
-    const answer = await engine.plan(text, optionsOf({ tolerance, average: false, ...(method ? { methods: method } : {}) }));
+    const answer = await engine.plan(text, planOptions(tolerance, method));
     const got = performance.now();
     board.cut = chooseCut(answer.scene);
     variant.drawn = { text, room: roomName, method, scene: answer.scene, plan: answer.plan };
@@ -41,7 +38,7 @@ async function updateOnce() {
     timings.push({ answered: got - from, drawn: performance.now() - got });
     if (timings.length > 500) timings.shift();
     const points = board.cut ? pointsOfCut(answer.scene, board.cut) : [];
-    board.settle({ section: points.length ? await engine.df(text, optionsOf({ methods: methodOf(answer.plan), points })).catch(() => null) : null });
+    board.settle({ section: points.length ? await engine.df(text, { methods: methodOf(answer.plan), points, ...board.roomOption }).catch(() => null) : null });
 }
 
 async function update() {
@@ -68,7 +65,7 @@ export const isBusy = () => running;
 
 async function askFigures() {
     const turn = ++asked, text = board.text;
-    const values = await Promise.all(board.variants.map((v) => engine.df(v.text, optionsOf()).catch((error) => ({ error: error.message }))));
+    const values = await Promise.all(board.variants.map((v) => engine.df(v.text, board.roomOption).catch((error) => ({ error: error.message }))));
     if (turn !== asked || text !== board.text) return;
     board.settle({ df: values[board.active], all: values });
 }
@@ -78,7 +75,7 @@ async function askOther() {
     const other = board.variants[1 - board.active], { text } = other ?? {}, room = board.roomName;
     const { method } = board, drawn = other?.drawn;
     if (!other || (drawn?.text === text && drawn.room === room && drawn.method === method)) return;
-    const answer = await engine.plan(text, optionsOf({ tolerance: FINE, average: false, ...(method ? { methods: method } : {}) })).catch(() => null);
+    const answer = await engine.plan(text, planOptions(FINE, method)).catch(() => null);
     other.drawn = { text, room, method, scene: answer?.scene, plan: answer?.plan };
     board.tell('other');
 }
@@ -97,7 +94,7 @@ export async function startTrace() {
     const { variant, text, roomName } = board;
     board.tell('trace');
     try {
-        for await (const { event, data } of engine.trace(text, optionsOf({ error: switches.error }), own.signal)) {
+        for await (const { event, data } of engine.trace(text, { error: switches.error, ...board.roomOption }, own.signal)) {
             if (own !== trace) return;
             if (event === 'estimate') variant.simulated = { text, room: roomName, average: data.average };
             if (event === 'estimate') board.settle({ trace: data });
@@ -142,7 +139,7 @@ async function askPoint() {
         pointed = board.pointer;
         const [x, y] = pointed;
         try {
-            const answer = await engine.df(board.text, optionsOf({ methods: methodOf(board.results.plan), points: [[Number(x.toFixed(3)), Number(y.toFixed(3))]], explain: true }));
+            const answer = await engine.df(board.text, { methods: methodOf(board.results.plan), points: [[Number(x.toFixed(3)), Number(y.toFixed(3))]], explain: true, ...board.roomOption });
             board.settle({ point: answer, pointError: '' });
         } catch (error) {
             board.settle({ point: null, pointError: error.message });

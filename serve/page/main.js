@@ -109,10 +109,12 @@ function showOutside(on) {
 const OUTSIDE = ['block', 'tree'];
 
 async function copyLink() {
-    const { message } = await navigator.clipboard.writeText(location.href).then(() => ({
-        message: `The link is copied. It contains the whole room, and opens as long as the server at ${location.host} runs. To keep the room, download the room file.`,
-    }), () => ({ message: 'The browser does not allow copying; copy the address of this page instead. It contains the whole room.' }));
-    say(message);
+    try {
+        await navigator.clipboard.writeText(location.href);
+        say(`The link is copied. It contains the whole room, and opens as long as the server at ${location.host} runs. To keep the room, download the room file.`);
+    } catch {
+        say('The browser does not allow copying; copy the address of this page instead. It contains the whole room.');
+    }
 }
 
 function setUpBar() {

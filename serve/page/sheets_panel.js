@@ -14,8 +14,7 @@ let charts = []; // of the engine: { name, summary }
 let asked = null, url = null, weather = null, rendering = null;
 
 function optionsFor(kind) {
-    const options = {};
-    if (board.rooms.length > 1 && board.roomName) options.room = board.roomName;
+    const options = { ...board.roomOption };
     if (FROM_POINT.includes(kind)) {
         const point = board.pointer ?? (() => { const p = board.results.scene?.points[0]; return p && [p.x, p.y]; })();
         if (point) options.points = [point.map((c) => Number(c.toFixed(3)))];
@@ -71,8 +70,7 @@ async function saved(work) {
 }
 
 export async function downloadFile(what) {
-    const name = board.roomName;
-    const room = board.rooms.length > 1 && name ? { room: name } : {};
+    const name = board.roomName, room = board.roomOption;
     const jobs = {
         room: async () => download(fileName(name, 'xml'), 'application/xml', board.text),
         report: async () => download(fileName(name, 'html'), 'text/html', await engine.file('report', board.text, { ...room, format: 'html' })),
@@ -86,9 +84,8 @@ export async function downloadFile(what) {
 async function render() {
     rendering?.abort();
     const own = rendering = new AbortController();
-    const options = { view: $('picture-view').value, size: '480x360' };
+    const options = { view: $('picture-view').value, size: '480x360', ...board.roomOption };
     if ($('picture-quantity').value !== 'luminance') Object.assign(options, { quantity: $('picture-quantity').value, 'false-colour': true });
-    if (board.rooms.length > 1 && board.roomName) options.room = board.roomName;
     $('picture-state').textContent = 'Drawing\u2026';
     try {
         for await (const { data } of engine.render(board.text, options, own.signal)) {
@@ -105,7 +102,7 @@ async function size() {
     const box = $('size-answer');
     box.textContent = 'Looking\u2026';
     try {
-        const answer = await engine.size(board.text, { target: `${Number($('size-target').value)}%`, change: $('size-change').value, 'by-hand': true, ...(board.rooms.length > 1 && board.roomName ? { room: board.roomName } : {}) });
+        const answer = await engine.size(board.text, { target: `${Number($('size-target').value)}%`, change: $('size-change').value, 'by-hand': true, ...board.roomOption });
         box.textContent = answer.answer ? `${answer.answer[0].toUpperCase()}${answer.answer.slice(1)}.` : 'There is no answer.';
         const elements = (answer.windows ?? []).filter((w) => w.is === 'changed').map((w) => [board.elements.find((e) => e.line === w.line && e.name === 'window'), w]).filter(([e]) => e);
         if (!elements.length) return;

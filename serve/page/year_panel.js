@@ -141,8 +141,7 @@ function show(data, about) {
 }
 
 function optionsOf() {
-    const options = { weather: weather.hash, error: Number($('year-error').value) };
-    if (board.rooms.length > 1 && board.roomName) options.room = board.roomName;
+    const options = { weather: weather.hash, error: Number($('year-error').value), ...board.roomOption };
     if (isAtPointer()) options.points = [board.pointer.map((c) => Number(c.toFixed(2)))];
     return options;
 }
