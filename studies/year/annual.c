@@ -348,15 +348,16 @@ enum pp_status pp_annual_of_room(
                        "%s: there is no room, only its surroundings; expected a plan "
                        "or an envelope",
                        world->name ? world->name : "the room");
-    struct pp_annual_work work = {.sheet = sheet,
-                                  .world = world,
-                                  .light = light,
-                                  .receivers = receivers,
-                                  .receiver_count = receiver_count,
-                                  .area_m2 =
-                                      pp_point_areas_sum(receivers, receiver_count),
-                                  .year = year,
-                                  .options = options};
+    struct pp_annual_work work = {
+        .sheet = sheet,
+        .world = world,
+        .light = light,
+        .receivers = receivers,
+        .receiver_count = receiver_count,
+        .area_m2 = pp_point_areas_sum(receivers, receiver_count),
+        .whole = pp_point_areas_whole(receivers, receiver_count),
+        .year = year,
+        .options = options};
     const struct pp_watch *watch = &options->watch;
     bool watched = watch->begin && watch->begin(watch->data, world->name);
     enum pp_status status = work_out(&work, err);

@@ -29,17 +29,14 @@ static bool is_sunlit(const struct pp_annual_work *work,
 {
     static const float SUNLIT_LX = 1000.0f;
     size_t count = (size_t)state->count;
-    double sunlit = 0.0, whole = 0.0;
-    for (int x = 0; x < work->receiver_count; x++) {
-        double weight = pp_point_areas_weight(work->receivers, work->area_m2, x);
-        whole += weight;
+    double sunlit = 0.0;
+    for (int x = 0; x < work->receiver_count; x++)
         if (state->direct_sun[((size_t)x * (size_t)work->groups.count + (size_t)group)
                                   * count
                               + (size_t)hour]
             >= SUNLIT_LX)
-            sunlit += weight;
-    }
-    return pp_blind_groups_closes(sunlit, whole);
+            sunlit += pp_point_areas_weight(work->receivers, work->area_m2, x);
+    return pp_blind_groups_closes(sunlit, work->whole);
 }
 
 /* True if the control closes the group in record i of the year. */

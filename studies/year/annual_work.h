@@ -15,6 +15,7 @@ struct pp_annual_work {
     const struct pp_receiver *receivers;
     int receiver_count;
     double area_m2; /* of all receivers; NAN: they have none, and count equally */
+    double whole;   /* sum of their weights (point_areas.h) */
     const struct pp_weather_year *year;
     const struct pp_annual_options *options;
     struct pp_year_clock clock;

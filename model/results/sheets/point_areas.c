@@ -7,7 +7,7 @@ double pp_point_areas_sum(const struct pp_receiver *receivers, int count)
 {
     double sum = 0.0;
     for (int i = 0; i < count; i++) {
-        if (!(receivers[i].area_m2 > 0.0))
+        if (!receivers || !(receivers[i].area_m2 > 0.0))
             return NAN;
         sum += receivers[i].area_m2;
     }
@@ -27,6 +27,14 @@ bool pp_point_areas_differ(const struct pp_receiver *receivers, int count)
 double pp_point_areas_weight(const struct pp_receiver *receivers, double sum, int index)
 {
     return isnan(sum) ? 1.0 : receivers[index].area_m2 / receivers[0].area_m2;
+}
+
+double pp_point_areas_whole(const struct pp_receiver *receivers, int count)
+{
+    double area_m2 = pp_point_areas_sum(receivers, count), whole = 0.0;
+    for (int i = 0; i < count; i++)
+        whole += pp_point_areas_weight(receivers, area_m2, i);
+    return whole;
 }
 
 double pp_point_areas_share(const struct pp_receiver *receivers, int count, double sum,

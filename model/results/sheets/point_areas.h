@@ -4,8 +4,8 @@
 
 #include "model/room/world.h"
 
-/* Sum of the areas of the points (m2). NAN: one of them has no area, and all count
- * equally. */
+/* Sum of the areas of the points (m2). NAN: one of them has no area, or receivers is
+ * NULL, and all count equally. */
 double pp_point_areas_sum(const struct pp_receiver *receivers, int count);
 
 /* True if the points have areas, and these are not equal. */
@@ -15,6 +15,9 @@ bool pp_point_areas_differ(const struct pp_receiver *receivers, int count);
  * equal areas have weights of exactly 1; 1 if a point has no area (sum is NAN). */
 double pp_point_areas_weight(const struct pp_receiver *receivers, double sum,
                              int index);
+
+/* Sum of the weights of all points. */
+double pp_point_areas_whole(const struct pp_receiver *receivers, int count);
 
 /* Share of a point in the mean over all of them. */
 double pp_point_areas_share(const struct pp_receiver *receivers, int count, double sum,

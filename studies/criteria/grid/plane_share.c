@@ -283,6 +283,11 @@ static double lower_end(const struct pp_reading *point)
     return point->value - (point->std_error > 0.0 ? 8.0 * point->std_error : 0.0);
 }
 
+static double point_value(const struct pp_reading *point)
+{
+    return point->value;
+}
+
 static double upper_end(const struct pp_reading *point)
 {
     return point->value + (point->std_error > 0.0 ? 8.0 * point->std_error : 0.0);
@@ -310,10 +315,18 @@ static double level_of(const struct plane_points *points, double probability,
     return 0.5 * (low + high);
 }
 
-/* Value of the n-th unit in descending order. Sorts the values. */
-static double value_of_unit(struct ranked_value *values, int count, int n)
+/* Ranks the ends of the points, or their values, in descending order. */
+static void rank_points(struct ranked_value *values, const struct plane_points *points,
+                        double (*end_of)(const struct pp_reading *point))
 {
-    qsort(values, (size_t)count, sizeof *values, compare_falling);
+    for (int i = 0; i < points->count; i++)
+        values[i] = (struct ranked_value){end_of(&points->list[i]), points->units[i]};
+    qsort(values, (size_t)points->count, sizeof *values, compare_falling);
+}
+
+/* Value of the n-th unit of ranked values. */
+static double value_of_unit(const struct ranked_value *values, int count, int n)
+{
     int i = 0;
     for (int units = values[0].units; units < n && i < count - 1;
          units += values[i].units)
@@ -326,13 +339,9 @@ static double value_of_unit(struct ranked_value *values, int count, int n)
 static void leave_out_distant(struct plane_points *points, struct ranked_value *values)
 {
     int count = points->count, next = points->wanted + (points->half_way ? 1 : 0);
-    for (int i = 0; i < count; i++)
-        values[i] =
-            (struct ranked_value){upper_end(&points->list[i]), points->units[i]};
+    rank_points(values, points, upper_end);
     double highest = value_of_unit(values, count, points->wanted);
-    for (int i = 0; i < count; i++)
-        values[i] =
-            (struct ranked_value){lower_end(&points->list[i]), points->units[i]};
+    rank_points(values, points, lower_end);
     double lowest = value_of_unit(values, count, next);
     points->count = 0;
     for (int i = 0; i < count; i++) {
@@ -349,8 +358,7 @@ static void leave_out_distant(struct plane_points *points, struct ranked_value *
 /* The figure of the points. values: space for count values. */
 static double figure_of(const struct plane_points *points, struct ranked_value *values)
 {
-    for (int i = 0; i < points->count; i++)
-        values[i] = (struct ranked_value){points->list[i].value, points->units[i]};
+    rank_points(values, points, point_value);
     double here = value_of_unit(values, points->count, points->wanted);
     return points->half_way
                ? 0.5 * (here + value_of_unit(values, points->count, points->wanted + 1))
@@ -364,7 +372,7 @@ static void find_over(struct pp_plane_share *share, const struct pp_reading *poi
                       const struct pp_receiver *receivers, int count, double common,
                       double target)
 {
-    double area_m2 = receivers ? pp_point_areas_sum(receivers, count) : NAN;
+    double area_m2 = pp_point_areas_sum(receivers, count);
     double over = 0.0, whole = 0.0, sum = 0.0, squares = 0.0;
     bool sampled = false;
     for (int i = 0; i < count; i++) {
@@ -388,10 +396,9 @@ struct pp_reading pp_plane_share_mean(const struct pp_reading *points,
                                       const struct pp_receiver *receivers, int count,
                                       double common)
 {
-    double area_m2 = receivers ? pp_point_areas_sum(receivers, count) : NAN;
-    double whole = 0.0, sum = 0.0, errors = 0.0, squares = 0.0;
-    for (int i = 0; i < count; i++)
-        whole += pp_point_areas_weight(receivers, area_m2, i);
+    double area_m2 = pp_point_areas_sum(receivers, count);
+    double whole = pp_point_areas_whole(receivers, count);
+    double sum = 0.0, errors = 0.0, squares = 0.0;
     for (int i = 0; i < count; i++) {
         double weight = pp_point_areas_weight(receivers, area_m2, i);
         double error = weight * points[i].std_error / whole;
@@ -418,7 +425,7 @@ static int units_of_point(const struct pp_receiver *receivers, bool differ,
 static int copy_points(struct plane_points *all, const struct pp_reading *points,
                        const struct pp_receiver *receivers, int count)
 {
-    bool differ = receivers && pp_point_areas_differ(receivers, count);
+    bool differ = pp_point_areas_differ(receivers, count);
     double mean_m2 = differ ? pp_point_areas_sum(receivers, count) / count : NAN;
     int units = 0;
     all->count = count;
