@@ -38,16 +38,14 @@ static int nearest_point(const bool *is_point, const struct pp_cell_grid *grid, 
     return nearest;
 }
 
-/* True if the region is a rectangle with sides along x and y: no edge cuts a cell. */
-static bool is_upright_rectangle(const struct pp_region *region)
+/* True if the region is a rectangle along x and y: then no edge cuts a cell. */
+static bool has_whole_cells(const struct pp_region *region)
 {
+    struct pp_bounds2 bounds = pp_region_bounds(region);
     const struct pp_ring *ring = region->rings;
-    if (region->count != 1 || ring->count != 4)
-        return false;
-    for (int i = 0, k = 3; i < 4; k = i++)
-        if (ring->xy[i][0] != ring->xy[k][0] && ring->xy[i][1] != ring->xy[k][1])
-            return false;
-    return true;
+    return region->count == 1
+           && pp_region_ring_is_upright((const double(*)[2])ring->xy, ring->count,
+                                        &bounds);
 }
 
 void pp_cell_areas_find(double *areas, const bool *is_point,
@@ -55,7 +53,7 @@ void pp_cell_areas_find(double *areas, const bool *is_point,
 {
     double part = grid->step[0] * grid->step[1] / (PARTS * PARTS);
     double radius = 0.5 * hypot(grid->step[0], grid->step[1]);
-    if (is_upright_rectangle(region)) {
+    if (has_whole_cells(region)) {
         for (int cell = 0; cell < grid->columns * grid->rows; cell++)
             areas[cell] = is_point[cell] ? grid->step[0] * grid->step[1] : 0.0;
         return;

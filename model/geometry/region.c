@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/geometry/tolerance.h"
+
 double pp_region_ring_area(const double (*xy)[2], int count)
 {
     /* Coordinates are relative to the first point, so that a small ring far from the
@@ -64,6 +66,19 @@ struct pp_bounds2 pp_region_bounds(const struct pp_region *region)
             pp_bounds2_add(&bounds, region->rings[r].xy[i][0],
                            region->rings[r].xy[i][1]);
     return bounds;
+}
+
+bool pp_region_ring_is_upright(const double (*xy)[2], int count,
+                               const struct pp_bounds2 *bounds)
+{
+    if (count != 4)
+        return false;
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 2; k++)
+            if (fmin(fabs(xy[i][k] - bounds->low[k]), fabs(xy[i][k] - bounds->high[k]))
+                > PP_ROUNDING_M)
+                return false;
+    return true;
 }
 
 bool pp_region_contains(const struct pp_region *region, double x, double y)

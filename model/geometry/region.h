@@ -40,6 +40,11 @@ static inline double pp_region_turn(const double a[2], const double b[2],
 /* Area of a ring; negative if clockwise. */
 double pp_region_ring_area(const double (*xy)[2], int count);
 
+/* True if a ring with these bounds is a rectangle with edges parallel to the axes, to
+ * within PP_ROUNDING_M. */
+bool pp_region_ring_is_upright(const double (*xy)[2], int count,
+                               const struct pp_bounds2 *bounds);
+
 double pp_region_area(const struct pp_region *region);
 struct pp_bounds2 pp_region_bounds(const struct pp_region *region);
 bool pp_region_contains(const struct pp_region *region, double x, double y);

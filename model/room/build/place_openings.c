@@ -55,19 +55,6 @@ static enum pp_status fit_in_face(bool *fits, struct pp_resolver *r,
 
 /* ---- properties that follow from the outline ---- */
 
-/* True if the outline is a rectangle with edges parallel to the axes. */
-static bool is_upright_rectangle(const double (*xy)[2], int count, const double low[2],
-                                 const double high[2])
-{
-    if (count != 4)
-        return false;
-    for (int i = 0; i < 4; i++)
-        for (int k = 0; k < 2; k++)
-            if (fmin(fabs(xy[i][k] - low[k]), fabs(xy[i][k] - high[k])) > PP_ROUNDING_M)
-                return false;
-    return true;
-}
-
 /* Finds the maintenance factor for maintenance="auto" in the table of dirt factors that
  * the site selects, by surroundings, type of work and slope of the glass. Reports a
  * mistake if the table has no such factor. */
@@ -160,7 +147,7 @@ static enum pp_status add_placed_opening(struct pp_resolver *r,
     opening.width_m = bounds.high[0] - bounds.low[0];
     opening.height_m = bounds.high[1] - bounds.low[1];
     opening.middle_z_m = 0.5 * (low_z + high_z);
-    opening.rectangle = is_upright_rectangle(xy, count, bounds.low, bounds.high);
+    opening.rectangle = pp_region_ring_is_upright(xy, count, &bounds);
 
     status = pp_polygon_of(&opening.inner, vertices, count, err);
     if (status == PP_OK) {
