@@ -114,7 +114,7 @@ enum pp_status pp_simulation_run(struct pp_simulation *simulation, double second
     enum pp_status status = PP_OK;
     *end = PP_SIMULATION_DONE;
     double done = 0.0, error = NAN;
-    bool shown = watch->begin && watch->begin(watch->data, name);
+    bool shown = pp_watch_begin(watch, name);
     while (status == PP_OK && !pp_simulation_done(simulation)) {
         double spent = pp_clock_s() - started_s, slice = slice_s;
         if (watch->look && !watch->look(watch->data, done, error)) {

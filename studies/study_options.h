@@ -2,6 +2,7 @@
 #ifndef PP_STUDIES_STUDY_OPTIONS_H
 #define PP_STUDIES_STUDY_OPTIONS_H
 
+#include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -30,6 +31,26 @@ struct pp_watch {
     void (*end)(void *data);
     void *data;
 };
+
+/* Calls begin, if there is one. Returns true if progress is shown. */
+static inline bool pp_watch_begin(const struct pp_watch *watch, const char *name)
+{
+    return watch->begin && watch->begin(watch->data, name);
+}
+
+/* Reports the fraction `done` of work that cannot be stopped. shown: as pp_watch_begin
+ * returned it. */
+static inline void pp_watch_show(const struct pp_watch *watch, bool shown, double done)
+{
+    if (shown && watch->look)
+        watch->look(watch->data, done, NAN);
+}
+
+static inline void pp_watch_end(const struct pp_watch *watch, bool shown)
+{
+    if (shown && watch->end)
+        watch->end(watch->data);
+}
 
 struct pp_study_options {
     const char *methods; /* a selection of methods (methods/selection.h); NULL: default

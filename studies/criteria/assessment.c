@@ -138,10 +138,10 @@ static enum pp_status judge_criteria(struct pp_answer_list *answers,
         return pp_fail_memory(err);
     enum pp_status status = PP_OK;
     const struct pp_criterion *criterion;
-    bool watched = watch->begin && watch->begin(watch->data, inquiry->world->name);
+    const int count = criteria_count();
+    bool shown = pp_watch_begin(watch, inquiry->world->name);
     for (int i = 0; status == PP_OK && (criterion = pp_criteria_at(i)) != NULL; i++) {
-        if (watched)
-            watch->look(watch->data, (double)i / criteria_count(), NAN);
+        pp_watch_show(watch, shown, (double)i / count);
         if (!chosen[i] || !applies(criterion)
             || (criterion->needs_before && !inquiry->before)
             || (criterion->needs_mirror_image && !inquiry->mirrored)
@@ -156,8 +156,7 @@ static enum pp_status judge_criteria(struct pp_answer_list *answers,
         answer->criterion = &inquiry->rules->criterion;
         status = answer->criterion->evaluate(inquiry, &answer->findings, err);
     }
-    if (watched)
-        watch->end(watch->data);
+    pp_watch_end(watch, shown);
     return status;
 }
 

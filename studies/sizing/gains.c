@@ -137,18 +137,16 @@ enum pp_status pp_gains_find(struct pp_gains *gains, const struct pp_room *room,
                              const struct pp_watch *watch, struct pp_error *err)
 {
     *gains = (struct pp_gains){.now = {NAN, NAN}};
-    bool watched = watch->begin && watch->begin(watch->data, world->name);
+    bool shown = pp_watch_begin(watch, world->name);
     const char *pair = pp_default_methods(world, light, NULL, 0).name;
     enum pp_status status = evaluate_gain(&gains->now, world, light, pair, err);
     if (isfinite(gains->now.average))
         gains->method = pair;
     for (int i = 0; pp_gain_kinds[i].make && gains->method && status == PP_OK; i++) {
-        if (watched)
-            watch->look(watch->data, (i + 1.0) / (PP_GAINS_MOST + 1.0), NAN);
+        pp_watch_show(watch, shown, (i + 1.0) / (PP_GAINS_MOST + 1.0));
         status = try_change(gains, i, room, world, light, NULL, err);
     }
-    if (watched)
-        watch->end(watch->data);
+    pp_watch_end(watch, shown);
     return status;
 }
 

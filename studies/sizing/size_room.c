@@ -327,12 +327,11 @@ static enum pp_status find_size(struct pp_size_answer *answer,
                                 struct valuation *valuation, struct pp_error *err)
 {
     const struct pp_watch *watch = &valuation->request->study->watch;
-    bool watched = !valuation->is_traced && watch->begin
-                   && watch->begin(watch->data, valuation->room->world->name);
+    bool shown =
+        !valuation->is_traced && pp_watch_begin(watch, valuation->room->world->name);
     valuation->by_hand_count = 0;
     enum pp_status status = pp_size_find(answer, task, err);
-    if (watched && watch->end)
-        watch->end(watch->data);
+    pp_watch_end(watch, shown);
     return status;
 }
 

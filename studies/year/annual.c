@@ -359,10 +359,9 @@ enum pp_status pp_annual_of_room(
         .year = year,
         .options = options};
     const struct pp_watch *watch = &options->watch;
-    bool watched = watch->begin && watch->begin(watch->data, world->name);
+    bool shown = pp_watch_begin(watch, world->name);
     enum pp_status status = work_out(&work, err);
-    if (watched && watch->end)
-        watch->end(watch->data);
+    pp_watch_end(watch, shown);
     clear_work(&work);
     return status == PP_INTERRUPTED ? PP_OK : status;
 }

@@ -229,10 +229,9 @@ static enum pp_status light_parts(struct pp_moment_plan *plan,
         return pp_fail_memory(err);
     enum pp_status status = pp_thread_pool_create(&pool, options->threads, err);
     if (status == PP_OK) {
-        bool watched = watch->begin && watch->begin(watch->data, world->name);
+        bool shown = pp_watch_begin(watch, world->name);
         pp_thread_pool_run(pool, 0, plan->rows, light_row, &work);
-        if (watched && watch->end)
-            watch->end(watch->data);
+        pp_watch_end(watch, shown);
         for (int r = 0; r < plan->rows && status == PP_OK; r++)
             if (work.status[r] == PP_INTERRUPTED)
                 status = pp_fail(err, PP_INTERRUPTED, "interrupted");
