@@ -125,7 +125,7 @@ enum pp_status pp_criterion_margin(struct pp_reading *reading, char *why,
 {
     char name[NAME_BYTES];
     requirement_name(name, words);
-    const struct pp_study_options by_hand = {0};
+    const struct pp_study_options by_hand = PP_STUDY_OPTIONS_NONE;
     const struct pp_assess_options wanted = {.study = traced ? traced : &by_hand,
                                              .criteria = name,
                                              .verdicts_only = true,
