@@ -111,8 +111,7 @@ const char *pp_lit_line_refuses(const struct pp_world *world,
 {
     return is_too_fine(world) || (before && is_too_fine(before))
                ? "the external meshes are too fine for the no-sky line; expected at "
-                 "most "
-                 "10,000 triangles times openings"
+                 "most 10,000 triangles times openings"
                : NULL;
 }
 

@@ -145,8 +145,7 @@ static const char *why_no_roof(const struct pp_opening *roof)
 {
     if (roof->slope_rad > 1e-3 || roof->reveal_m > 0.0)
         return "the rooflight of the coarse model slopes or has a reveal, but the "
-               "method "
-               "covers only wells with horizontal rooflights without a reveal";
+               "method covers only wells with horizontal rooflights without a reveal";
     if (roof->blind
         || (roof->measured && roof->measured->kind == PP_MEASURED_SCATTERING))
         return "the rooflight of the coarse model has a blind, or a pane that scatters "

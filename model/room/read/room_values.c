@@ -79,17 +79,13 @@ const struct pp_value_kind pp_room_values_position = {
     .unit = 1.0,
     .expected_mm =
         "two numbers of millimetres \"X Y\", each from -100000000 to 100000000"};
+#define EXPECTED_REFLECTANCE                                                           \
+    "a fraction from 0 to 1, a named finish, or # and the name of a material"
 const struct pp_value_kind pp_room_values_reflectance = {
-    PP_VALUE_REFLECTANCE,
-    "a fraction from 0 to 1, a named finish, or # and the name of a material", 0.0, 1.0,
-    .unit = 1.0};
+    PP_VALUE_REFLECTANCE, EXPECTED_REFLECTANCE, 0.0, 1.0, .unit = 1.0};
 const struct pp_value_kind pp_room_values_even_reflectance = {
-    PP_VALUE_REFLECTANCE,
-    "a fraction from 0 to 1, a named finish, or # and the name of a material",
-    0.0,
-    1.0,
-    .unit = 1.0,
-    .without_pattern = true};
+    PP_VALUE_REFLECTANCE, EXPECTED_REFLECTANCE,   0.0, 1.0,
+    .unit = 1.0,          .without_pattern = true};
 const struct pp_value_kind pp_room_values_or_auto = {
     PP_VALUE_AUTO, "a fraction from 0 to 1 or \"auto\"", 0.0, 1.0, .unit = 1.0};
 const struct pp_value_kind pp_room_values_frame = {
