@@ -5,70 +5,75 @@
 #include "tests/lib/sized.h"
 #include "tests/lib/traced.h"
 
-#define V(x, y, z) "<vertex x='" x "' y='" y "' z='" z "'/>"
+/* Ceiling, walls, window and point. */
+#define ABOVE_FLOOR                                                                    \
+    "<face role='ceiling' name='c'>"                                                   \
+    "<vertex x='0' y='0' z='2.7'/>"                                                    \
+    "<vertex x='0' y='4.8' z='2.7'/>"                                                  \
+    "<vertex x='3.6' y='4.8' z='2.7'/>"                                                \
+    "<vertex x='3.6' y='0' z='2.7'/>"                                                  \
+    "</face>"                                                                          \
+    "<face role='wall' name='s'>"                                                      \
+    "<vertex x='0' y='0' z='0'/>"                                                      \
+    "<vertex x='0' y='0' z='2.7'/>"                                                    \
+    "<vertex x='3.6' y='0' z='2.7'/>"                                                  \
+    "<vertex x='3.6' y='0' z='0'/>"                                                    \
+    "</face>"                                                                          \
+    "<face role='wall' name='n'>"                                                      \
+    "<vertex x='0' y='4.8' z='0'/>"                                                    \
+    "<vertex x='3.6' y='4.8' z='0'/>"                                                  \
+    "<vertex x='3.6' y='4.8' z='2.7'/>"                                                \
+    "<vertex x='0' y='4.8' z='2.7'/>"                                                  \
+    "</face>"                                                                          \
+    "<face role='wall' name='w'>"                                                      \
+    "<vertex x='0' y='0' z='0'/>"                                                      \
+    "<vertex x='0' y='2.8' z='0'/>"                                                    \
+    "<vertex x='0' y='4.8' z='0'/>"                                                    \
+    "<vertex x='0' y='4.8' z='2.7'/>"                                                  \
+    "<vertex x='0' y='0' z='2.7'/>"                                                    \
+    "</face>"                                                                          \
+    "<face role='wall' name='e'>"                                                      \
+    "<vertex x='3.6' y='4.8' z='0'/>"                                                  \
+    "<vertex x='3.6' y='2.8' z='0'/>"                                                  \
+    "<vertex x='3.6' y='0' z='0'/>"                                                    \
+    "<vertex x='3.6' y='0' z='2.7'/>"                                                  \
+    "<vertex x='3.6' y='4.8' z='2.7'/>"                                                \
+    "</face>"                                                                          \
+    "</envelope>"                                                                      \
+    "<window wall='n' left='0.9' sill='0.9' width='1.8' height='1.5'/>"                \
+    "<point x='1.8' y='2.8' z='0.85'/></room>"
+
+#define ONE_FLOOR                                                                      \
+    "<face role='floor' name='f'>"                                                     \
+    "<vertex x='0' y='0' z='0'/>"                                                      \
+    "<vertex x='3.6' y='0' z='0'/>"                                                    \
+    "<vertex x='3.6' y='2.8' z='0'/>"                                                  \
+    "<vertex x='3.6' y='4.8' z='0'/>"                                                  \
+    "<vertex x='0' y='4.8' z='0'/>"                                                    \
+    "<vertex x='0' y='2.8' z='0'/>"                                                    \
+    "</face>"
 
 /* 2 m of the floor next to the window reflect 0.9, the other 2.8 m reflect 0.1. */
-#define FACES                                                                          \
-    "<face role='ceiling' name='c'>" V("0", "0", "2.7") V("0", "4.8", "2.7") V(        \
-        "3.6", "4.8", "2.7")                                                           \
-        V("3.6", "0",                                                                  \
-          "2.7") "</face>"                                                             \
-                 "<face role='wall' name='s'>" V("0", "0", "0") V("0", "0", "2.7") V(  \
-                     "3.6", "0", "2.7")                                                \
-                     V("3.6", "0",                                                     \
-                       "0") "</face>"                                                  \
-                            "<face role='wall' name='n'>" V("0", "4.8", "0") V(        \
-                                "3.6", "4.8", "0") V("3.6", "4.8", "2.7")              \
-                                V("0", "4.8",                                          \
-                                  "2.7") "</face>"                                     \
-                                         "<face role='wall' name='w'>" V(              \
-                                             "0", "0",                                 \
-                                             "0") V("0", "2.8",                        \
-                                                    "0") V("0", "4.8",                 \
-                                                           "0") V("0", "4.8", "2.7")   \
-                                             V("0", "0",                               \
-                                               "2.7") "</face>"                        \
-                                                      "<face role='wall' name='e'>" V( \
-                                                          "3.6", "4.8",                \
-                                                          "0") V("3.6", "2.8",         \
-                                                                 "0") V("3.6", "0",    \
-                                                                        "0")           \
-                                                          V("3.6", "0", "2.7") V(      \
-                                                              "3.6", "4.8",            \
-                                                              "2.7") "</face>"         \
-                                                                     "</"              \
-                                                                     "envelope><"      \
-                                                                     "window "         \
-                                                                     "wall='n' "       \
-                                                                     "left='0.9' "     \
-                                                                     "sill='0.9' "     \
-                                                                     "width='1.8' "    \
-                                                                     "height='1.5'/>"  \
-                                                                     "<point x='1.8' " \
-                                                                     "y='2.8' "        \
-                                                                     "z='0.85'/></"    \
-                                                                     "room>"
-#define ONE_FLOOR                                                                      \
-    "<face role='floor' name='f'>" V("0", "0", "0") V("3.6", "0", "0")                 \
-        V("3.6", "2.8", "0") V("3.6", "4.8", "0") V("0", "4.8", "0")                   \
-            V("0", "2.8", "0") "</face>"
-
-static const char two_faces[] =
-    "<room version='1'><envelope>"
-    "<face role='floor' name='far' reflectance='0.1'>" V("0", "0", "0")
-        V("3.6", "0", "0") V("3.6", "2.8", "0")
-            V("0", "2.8", "0") "</face>"
-                               "<face role='floor' name='near' reflectance='0.9'>" V(
-                                   "0", "2.8", "0") V("3.6", "2.8", "0")
-                                   V("3.6", "4.8", "0")
-                                       V("0", "4.8", "0") "</face>" FACES;
+static const char two_faces[] = "<room version='1'><envelope>"
+                                "<face role='floor' name='far' reflectance='0.1'>"
+                                "<vertex x='0' y='0' z='0'/>"
+                                "<vertex x='3.6' y='0' z='0'/>"
+                                "<vertex x='3.6' y='2.8' z='0'/>"
+                                "<vertex x='0' y='2.8' z='0'/>"
+                                "</face>"
+                                "<face role='floor' name='near' reflectance='0.9'>"
+                                "<vertex x='0' y='2.8' z='0'/>"
+                                "<vertex x='3.6' y='2.8' z='0'/>"
+                                "<vertex x='3.6' y='4.8' z='0'/>"
+                                "<vertex x='0' y='4.8' z='0'/>"
+                                "</face>" ABOVE_FLOOR;
 static const char patterned[] =
     "<room version='1'><material name='paint' diffuse='0.9' "
     "pattern='1 - 8/9 max(0, 1 - floor(y / 2.8))'/><finishes floor='#paint'/>"
-    "<envelope>" ONE_FLOOR FACES;
+    "<envelope>" ONE_FLOOR ABOVE_FLOOR;
 /* (2 x 0.9 + 2.8 x 0.1) / 4.8 */
 static const char mean[] =
-    "<room version='1'><finishes floor='0.43333333'/><envelope>" ONE_FLOOR FACES;
+    "<room version='1'><finishes floor='0.43333333'/><envelope>" ONE_FLOOR ABOVE_FLOOR;
 
 /* The daylight factor at the point, by the fast or the plain tracer. */
 static struct pp_reading factor(const char *xml, bool fast, long samples)
