@@ -175,8 +175,7 @@ const char *pp_well_window_refuses_room(const struct pp_world *world)
                 continue;
             return "the coarse model has a window in a wall or floor without a "
                    "counterpart in the room, but the method covers only atria and "
-                   "light "
-                   "wells that are lit from above";
+                   "light wells that are lit from above";
         }
         const char *why = why_no_roof(opening);
         if (why)
