@@ -122,6 +122,20 @@ factors street-whole.xml >whole
 factors street-office.xml >nested
 check "an office in a street gets the light of the whole model" agree nested whole
 
+# In a lane with bright fronts the wall around the window matters, also where the coarse room is
+# larger than the office: the facade in its plane has no gap there.
+lane='<site ground-level="-1.2" ground-reflectance="0.15"/>
+    <block x="-17" y="-10" width="40" depth="8" base="-1.2" height="8" reflectance="0.9"/>'
+small=$(echo "$office" | sed 's/width="6" depth="5" height="3"/width="4" depth="5" height="2.8"/')
+room lane-whole '' "$small$lane"'
+    <facade wall="south" left="17" right="19" up="4" down="1.2" reflectance="0.9"/>'
+room lane '' "$office$lane"'
+    <facade wall="south" left="17" right="17" up="3.8" down="1.2" reflectance="0.9"/>'
+room lane-office 'within="lane.xml"' "$small<site ground-reflectance='0.15'/>"
+factors lane-whole.xml --error 0.8% >whole
+factors lane-office.xml --error 0.8% >nested
+check "the wall around its window reflects like the facade" agree nested whole
+
 check "a street is no well" shows "average-df-well: the coarse model is in the place" \
     df --methods average-df-well street-office.xml
 

@@ -214,26 +214,107 @@ static enum pp_status add_coarse(const struct nesting *n,
     return status;
 }
 
+/* Adds a region of a face of the coarse model, with the optical properties of
+ * `surface`. */
+static enum pp_status add_coarse_region(const struct nesting *n,
+                                        const struct pp_surface *surface,
+                                        const struct pp_region *region,
+                                        const struct pp_face_axes *axes,
+                                        struct pp_error *err)
+{
+    struct pp_region_pieces pieces = {0};
+    enum pp_status status =
+        pp_region_pieces_cut(&pieces, region, axes->origin, axes->a, axes->b,
+                             piece_least_m2, n->r->clipper, err);
+    for (int i = 0; i < pieces.count && status == PP_OK; i++)
+        status =
+            add_coarse(n, surface, pieces.list[i].corners, pieces.list[i].count, err);
+    pp_region_pieces_clear(&pieces);
+    return status;
+}
+
+static struct pp_face_axes wall_axes(const struct pp_polygon *face)
+{
+    struct pp_face_axes axes = {.origin = face->vertices[0]};
+    pp_polygon_plane_axes(face->normal, &axes.a, &axes.b);
+    return axes;
+}
+
 /* Adds a face of the coarse model, less its openings. */
 static enum pp_status add_coarse_face(const struct nesting *n, int face,
                                       struct pp_error *err)
 {
     const struct pp_surface *surface = &n->coarse->surfaces[face];
-    const struct pp_polygon *outline = &surface->outline;
-    struct pp_face_axes axes = {.origin = outline->vertices[0]};
+    const struct pp_face_axes axes = wall_axes(&surface->outline);
     struct pp_region rest;
-    struct pp_region_pieces pieces = {0};
-    pp_polygon_plane_axes(outline->normal, &axes.a, &axes.b);
-    enum pp_status status = pp_face_less_openings(&rest, n->r->clipper, &axes, outline,
-                                                  n->coarse, face, err);
+    enum pp_status status = pp_face_less_openings(
+        &rest, n->r->clipper, &axes, &surface->outline, n->coarse, face, err);
     if (status == PP_OK)
-        status = pp_region_pieces_cut(&pieces, &rest, axes.origin, axes.a, axes.b,
-                                      piece_least_m2, n->r->clipper, err);
-    for (int i = 0; i < pieces.count && status == PP_OK; i++)
-        status =
-            add_coarse(n, surface, pieces.list[i].corners, pieces.list[i].count, err);
-    pp_region_pieces_clear(&pieces);
+        status = add_coarse_region(n, surface, &rest, &axes, err);
     pp_region_clear(&rest);
+    return status;
+}
+
+/* ---- facades in the plane of a wall ---- */
+
+/* True if the face has the bearing of the wall, and meets its plane. */
+static bool meets_wall(const struct pp_polygon *face, const struct pp_polygon *wall)
+{
+    double low = INFINITY, high = -INFINITY;
+    for (int k = 0; k < face->count; k++) {
+        double height = pp_polygon_height(wall, face->vertices[k]);
+        low = fmin(low, height);
+        high = fmax(high, height);
+    }
+    return pp_vec_dot(face->normal, wall->normal) >= cos(same_bearing_rad)
+           && low < PP_SET_OFF_M && high > -PP_SET_OFF_M;
+}
+
+/* If the face of the room is in the plane of the facade, gives it the reflectance of the
+ * facade, and subtracts it from the region. */
+static enum pp_status fill_gap(struct pp_region *gap, const struct nesting *n,
+                               const struct pp_facade *facade,
+                               const struct pp_face_axes *axes, struct pp_surface *face,
+                               struct pp_error *err)
+{
+    struct pp_polygon carried; /* the face in the axes of the coarse model */
+    struct pp_region filled = {0};
+    enum pp_status status =
+        pp_polygon_of(&carried, face->outline.vertices, face->outline.count, err);
+    if (status != PP_OK)
+        return status;
+    for (int k = 0; k < carried.count; k++)
+        carried.vertices[k] = pp_placement_to_room(&n->place, carried.vertices[k]);
+    pp_polygon_measure(&carried);
+    if (meets_wall(&carried, &n->coarse->surfaces[facade->face].outline)) {
+        face->back = facade->reflectance;
+        status = pp_face_less_openings(&filled, n->r->clipper, axes, &carried, NULL, -1,
+                                       err);
+        if (status == PP_OK)
+            status = pp_clipper_take_away(n->r->clipper, gap, &filled, err);
+    }
+    pp_region_clear(&filled);
+    pp_polygon_clear(&carried);
+    return status;
+}
+
+/* A facade in the plane of a wall has a gap for that wall. The walls of the room, which
+ * stand in its place, fill the gap; the rest of the gap is added. */
+static enum pp_status close_gap(const struct nesting *n, const struct pp_facade *facade,
+                                struct pp_error *err)
+{
+    const struct pp_polygon *wall = &n->coarse->surfaces[facade->face].outline;
+    const struct pp_surface look = {.front = facade->reflectance,
+                                    .back = facade->reflectance};
+    const struct pp_face_axes axes = wall_axes(wall);
+    struct pp_region gap;
+    enum pp_status status = pp_face_less_openings(&gap, n->r->clipper, &axes, wall,
+                                                  n->coarse, facade->face, err);
+    for (int i = 0; i < n->r->world->face_count && status == PP_OK; i++)
+        status = fill_gap(&gap, n, facade, &axes, &n->r->world->surfaces[i], err);
+    if (status == PP_OK)
+        status = add_coarse_region(n, &look, &gap, &axes, err);
+    pp_region_clear(&gap);
     return status;
 }
 
@@ -251,6 +332,9 @@ static enum pp_status add_coarse_surfaces(const struct nesting *n, struct pp_err
                      : add_coarse(n, surface, surface->outline.vertices,
                                   surface->outline.count, err);
     }
+    for (int i = 0; i < coarse->facade_count && !n->before && status == PP_OK; i++)
+        if (coarse->facades[i].depth_m < PP_SET_OFF_M)
+            status = close_gap(n, &coarse->facades[i], err);
     return status;
 }
 
