@@ -1,9 +1,10 @@
 /* draw_lesson.c - the pictures of docs/theory.md and of docs/elements/material.md: the
  * same light sampled directly and found by chance, with about the same number of rays;
- * and a copper sphere by two models of reflection, under an overcast sky, and under the
- * photograph of a hazy one whose light is found in three ways. Writes ten PNG files to
- * a folder, and prints the noise and time of the three ways. With the word "sphere" it
- * draws the sphere under the photograph only. */
+ * an orange with and without bumps; and a copper sphere by two models of reflection,
+ * under an overcast sky, and under the photograph of a hazy one whose light is found in
+ * three ways. Writes twelve PNG files to a folder, and prints the noise and time of the
+ * three ways. With the word "sphere" it draws the sphere under the photograph only, with
+ * "orange" the orange only. */
 #include <cairo.h>
 #include <math.h>
 #include <stdio.h>
@@ -272,6 +273,39 @@ static void sphere_pictures(const char *folder, const struct pp_rough_surface *r
     pp_light_scene_destroy(scene);
 }
 
+/* ---- an orange ---- */
+
+/* Bumps of the orange's skin; the orange is as large as the sphere. */
+static const char skin[] =
+    "0.004 (sin(5200 x + 60 sin(3000 y)) "
+    "+ sin(5600 y + 60 sin(3300 z)) + sin(4900 z + 60 sin(3600 x)))";
+
+static void orange_pictures(const char *folder)
+{
+    static struct pp_surface_pattern even, height;
+    struct pp_expression_mistake mistake;
+    if (!pp_surface_pattern_parse(&even, "1", &mistake)
+        || !pp_surface_pattern_parse(&height, skin, &mistake)) {
+        fprintf(stderr, "draw_lesson: column %d: %s\n", mistake.column + 1,
+                mistake.what);
+        exit(1);
+    }
+    struct view view = sphere_view();
+    struct pp_radiance_options options = pp_radiance_state_defaults();
+    struct pp_sky overcast = pp_sky_overcast();
+    struct pp_material orange = pp_material_diffuse(pp_rgb(0.85, 0.4, 0.06));
+    struct pp_light_scene *scene = sphere_on_table(orange, &overcast);
+    draw(folder, "orange-smooth", scene, NULL, &view, options, 64);
+    pp_light_scene_destroy(scene);
+    orange.surface_pattern = &even;
+    orange.pattern_scale = orange.diffuse;
+    orange.pattern_mean = 1.0;
+    orange.bumps = &height;
+    scene = sphere_on_table(orange, &overcast);
+    draw(folder, "orange-bumps", scene, NULL, &view, options, 64);
+    pp_light_scene_destroy(scene);
+}
+
 /* ---- the sphere under a photograph ---- */
 
 /* A fisheye photograph, calculated, of a hazy sky (ISO type 15) with the sun behind thin
@@ -380,17 +414,21 @@ int main(int argc, char **argv)
 {
     static struct pp_rough_surface rough;
     struct pp_error err;
-    bool sphere = argc == 3 && strcmp(argv[2], "sphere") == 0;
-    if (argc != 2 && !sphere) {
-        fprintf(stderr, "draw_lesson FOLDER [sphere]\n");
+    bool sphere = argc == 3 && strcmp(argv[2], "sphere") == 0,
+         orange = argc == 3 && strcmp(argv[2], "orange") == 0;
+    if (argc != 2 && !sphere && !orange) {
+        fprintf(stderr, "draw_lesson FOLDER [sphere|orange]\n");
         return 2;
     }
     must(pp_rough_surface_init(&rough, &copper, &err), &err);
-    if (!sphere) {
+    if (!sphere && !orange) {
         lamp_pictures(argv[1]);
         window_pictures(argv[1]);
         sphere_pictures(argv[1], &rough);
     }
-    photograph_pictures(argv[1], &rough);
+    if (!sphere)
+        orange_pictures(argv[1]);
+    if (!orange)
+        photograph_pictures(argv[1], &rough);
     return 0;
 }

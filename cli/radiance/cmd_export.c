@@ -207,8 +207,8 @@ static void say_left_out(const struct pp_rooms *rooms, bool gloss)
                 "of its lobe with angle and wavelength, are lost",
                 file);
         if (has_pattern(world))
-            pp_message("%.200s: each surface with a pattern has the mean of its "
-                       "reflectance in the scene",
+            pp_message("%.200s: each surface with a pattern or bumps is even in the "
+                       "scene, with the mean of its reflectance",
                        file);
         if (!gloss && pp_rad_room_has_gloss(world))
             pp_message("%.200s: finishes in the scene are matt and grey, as for "

@@ -50,6 +50,13 @@ struct pp_material pp_material_rough(const struct pp_rough_surface *surface)
     return material;
 }
 
+/* Limits channels to the range from 0 to 1; NAN becomes 0. */
+static struct pp_rgb limited(struct pp_rgb c)
+{
+    return pp_rgb(fmin(fmax(c.r, 0.0), 1.0), fmin(fmax(c.g, 0.0), 1.0),
+                  fmin(fmax(c.b, 0.0), 1.0));
+}
+
 struct pp_rgb pp_material_diffuse_at(const struct pp_material *material,
                                      struct pp_vec3 point)
 {
@@ -57,10 +64,15 @@ struct pp_rgb pp_material_diffuse_at(const struct pp_material *material,
         return material->diffuse;
     double more = pp_surface_pattern_at(material->surface_pattern, point, NULL)
                   - material->pattern_mean;
-    struct pp_rgb here = pp_rgb_along(material->diffuse, more, material->pattern_scale);
-    /* fmax: 0 for NAN */
-    return pp_rgb(fmin(fmax(here.r, 0.0), 1.0), fmin(fmax(here.g, 0.0), 1.0),
-                  fmin(fmax(here.b, 0.0), 1.0));
+    return limited(pp_rgb_along(material->diffuse, more, material->pattern_scale));
+}
+
+struct pp_rgb pp_material_facet_at(const struct pp_material *material,
+                                   struct pp_vec3 point)
+{
+    return limited(
+        pp_rgb_scale(material->pattern_scale,
+                     pp_surface_pattern_at(material->surface_pattern, point, NULL)));
 }
 
 struct pp_material pp_material_greyed(const struct pp_material *material)

@@ -75,6 +75,10 @@ struct pp_material {
     struct pp_rgb pattern_scale;
     double pattern_mean; /* mean of the pattern over the surface */
 
+    /* Height of bumps, m; not owned; NULL: none. With bumps there is a surface pattern:
+     * facets (rough/bump_facets.h) have the reflectance pattern_scale f. */
+    const struct pp_surface_pattern *bumps;
+
     struct pp_rgb through_diffuse; /* translucent: transmittances */
     struct pp_rgb through_gloss;
 
@@ -117,6 +121,11 @@ struct pp_material pp_material_rough(const struct pp_rough_surface *surface);
  * limited to the range from 0 to 1, and 0 where the pattern has no value. */
 struct pp_rgb pp_material_diffuse_at(const struct pp_material *material,
                                      struct pp_vec3 point);
+
+/* Reflectance of the facets of a material with bumps at a point of the room, limited in
+ * the same way. */
+struct pp_rgb pp_material_facet_at(const struct pp_material *material,
+                                   struct pp_vec3 point);
 
 /* Returns a grey copy: the channels of the diffuse part are replaced by their
  * luminance, and so are those of the gloss. */

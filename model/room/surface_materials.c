@@ -52,6 +52,7 @@ static void add_pattern(struct pp_material *material, const struct pp_world *wor
     material->surface_pattern = &of->pattern;
     material->pattern_scale = of->surface.optics.diffuse;
     material->pattern_mean = surface->pattern_mean;
+    material->bumps = of->has_bumps ? &of->height : NULL;
     if (material->rough)
         material->diffuse =
             pp_rgb_scale(material->pattern_scale, surface->pattern_mean);
@@ -97,6 +98,7 @@ struct pp_material pp_surface_materials_matt(const struct pp_world *world, int i
     material.roughness[0] = material.roughness[1] = 0.0;
     material.grain = pp_vec(0.0, 0.0, 0.0);
     material.rough = NULL;
+    material.bumps = NULL;
     material.pattern_scale = pp_rgb_grey(pp_rgb_luminance(material.pattern_scale));
     return material;
 }
@@ -320,7 +322,7 @@ bool pp_surface_materials_same(const struct pp_material *a, const struct pp_mate
                                       pp_surface_materials_key(b)};
     return memcmp(&keys[0], &keys[1], sizeof keys[0]) == 0 && a->rough == b->rough
            && a->rough_is_grey == b->rough_is_grey
-           && a->surface_pattern == b->surface_pattern
+           && a->surface_pattern == b->surface_pattern && a->bumps == b->bumps
            && a->pattern_mean == b->pattern_mean;
 }
 
@@ -357,7 +359,7 @@ static struct pp_material surface_side_material(const struct pp_world *world, in
         return pp_surface_materials_of(world, index, front);
     if (look == PP_LOOK_GREY && world->materials) {
         struct pp_material full = pp_surface_materials_of(world, index, front);
-        if (full.rough)
+        if (full.rough || full.bumps)
             return pp_material_greyed(&full);
     }
     return pp_surface_materials_matt(world, index, front);

@@ -17,9 +17,9 @@ struct pp_material pp_surface_materials_of(const struct pp_world *world, int sur
 /* The look of surfaces in a scene. */
 enum pp_surface_look {
     PP_LOOK_COLOURED, /* with the colour and gloss of finishes */
-    PP_LOOK_GREY, /* grey and matt; physically rough surfaces scatter as they are, in
-                       * grey */
-    PP_LOOK_MATT  /* all grey and matt */
+    PP_LOOK_GREY, /* grey and matt; physically rough surfaces and bumps scatter as they
+                   * are, in grey */
+    PP_LOOK_MATT  /* all grey and matt, without bumps */
 };
 
 /* Material without gloss and colour, as used for daylight factors. */
@@ -73,8 +73,8 @@ double pp_surface_materials_pane_from(const struct pp_opening *opening,
 double pp_surface_materials_pane_sun(const struct pp_opening *opening, struct pp_vec3 u,
                                      double cosine);
 
-/* The fields of a material, including its name, but not its physically rough surface or
- * its pattern.
+/* The fields of a material, including its name, but not its physically rough surface, its
+ * pattern or its bumps.
  * Equal fields give keys that are equal byte for byte; -0 counts as 0. */
 enum { PP_MATERIAL_KEY_NUMBERS = 41, PP_MATERIAL_KEY_OF_SCATTER = 2 /* last two */ };
 struct pp_material_key {
@@ -83,8 +83,8 @@ struct pp_material_key {
 };
 struct pp_material_key pp_surface_materials_key(const struct pp_material *material);
 
-/* True if the keys of the materials are equal and their rough surfaces and patterns are
- * the same. */
+/* True if the keys of the materials are equal and their rough surfaces, patterns and
+ * bumps are the same. */
 bool pp_surface_materials_same(const struct pp_material *a,
                                const struct pp_material *b);
 

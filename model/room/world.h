@@ -59,7 +59,7 @@ struct pp_surface {
                                      * Reflectance is that of `front` */
     double pattern_mean; /* mean of the pattern of the finish over the surface; `front`,
                           * and `back` if it has the finish, are means too. 0: no
-                          * pattern */
+                          * pattern and no bumps */
     int owner;           /* index of: a reveal's opening; a cover's wall (surface); a
                     * block; a facade; a skyline; the opening of a shade of this
                     * room. Else -1 */

@@ -162,7 +162,8 @@ static void append_means(const struct pp_world *world,
     pp_text_append(text, TEXT_BYTES, ", %.3g ", low);
     if (high > low)
         pp_text_append(text, TEXT_BYTES, "to %.3g ", high);
-    pp_text_append(text, TEXT_BYTES, "on average with its pattern");
+    pp_text_append(text, TEXT_BYTES, "on average with its %s",
+                   material->has_bumps ? "bumps" : "pattern");
 }
 
 /* Passes on each material of the room file: its reflectance, its mean reflectance with

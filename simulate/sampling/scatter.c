@@ -192,12 +192,33 @@ void pp_scatter_init(struct pp_lobes *lobes, const struct pp_material *material,
     }
 }
 
+/* Tangent of the least slope; smaller slopes do not count. */
+static const double LEAST_SLOPE = 1e-6;
+
+void pp_scatter_add_bumps(struct pp_lobes *lobes, const struct pp_material *material,
+                          struct pp_vec3 point)
+{
+    struct pp_vec3 n = lobes->frame.z,
+                   slope = pp_surface_pattern_slope(material->bumps, point, NULL);
+    slope = pp_vec_along(slope, -pp_vec_dot(slope, n), n);
+    struct pp_rgb facet = pp_material_facet_at(material, point);
+    lobes->share[PP_LOBE_DIFFUSE] = facet;
+    if (!(pp_vec_length(slope) > LEAST_SLOPE))
+        return;
+    lobes->has_bumps = true;
+    lobes->bumps = (struct pp_bump_lobe){slope, facet, n, lobes->eye};
+    lobes->share[PP_LOBE_DIFFUSE] = pp_rgb_grey(0.0);
+    lobes->share[PP_LOBE_GLOSS] = pp_bump_lobe_albedo(&lobes->bumps);
+}
+
 struct pp_rgb pp_scatter_gloss_brdf(const struct pp_lobes *lobes, struct pp_vec3 o)
 {
     bool through = pp_vec_dot(o, lobes->frame.z) < 0.0;
     struct pp_rgb share = lobes->share[through ? PP_LOBE_THROUGH_GLOSS : PP_LOBE_GLOSS];
     if (pp_rgb_is_black(share))
         return share;
+    if (lobes->has_bumps)
+        return pp_bump_lobe_brdf(&lobes->bumps, o);
     if (lobes->scatter) {
         struct pp_vec3 out = in_pane_axes(&lobes->frame, lobes->is_outside, lobes->eye);
         struct pp_vec3 in =
@@ -219,6 +240,8 @@ double pp_scatter_gloss_pdf(const struct pp_lobes *lobes, struct pp_vec3 o)
 {
     if (lobes->scatter)
         return pane_pdf(lobes, o);
+    if (lobes->has_bumps)
+        return pp_bump_lobe_pdf(&lobes->bumps, o);
     o = pp_frame_in(&lobes->frame, o);
     struct pp_vec3 eye = pp_frame_in(&lobes->frame, lobes->eye);
     if (lobes->rough)
@@ -244,6 +267,14 @@ static double over_share(double value, double share)
     return share > 0.0 ? value / share : 0.0;
 }
 
+/* Divides light by the share of the gloss. */
+static struct pp_rgb over_gloss(const struct pp_lobes *lobes, struct pp_rgb light)
+{
+    struct pp_rgb share = lobes->share[PP_LOBE_GLOSS];
+    return pp_rgb(over_share(light.r, share.r), over_share(light.g, share.g),
+                  over_share(light.b, share.b));
+}
+
 static bool sample_rough(const struct pp_lobes *lobes, double u, double v,
                          struct pp_vec3 *o, struct pp_rgb *factor)
 {
@@ -251,14 +282,21 @@ static bool sample_rough(const struct pp_lobes *lobes, double u, double v,
     double weight = pp_rough_lobe_sample(lobes->rough, eye, u, v, &own);
     if (!(weight > 0.0))
         return false;
-    struct pp_rgb share = lobes->share[PP_LOBE_GLOSS];
     struct pp_rgb f = rough_colour(lobes->rough_is_grey,
                                    pp_rough_surface_value(lobes->rough, eye, own));
-    f = pp_rgb_scale(f, own.z * weight);
-    *factor = pp_rgb(over_share(f.r, share.r), over_share(f.g, share.g),
-                     over_share(f.b, share.b));
+    *factor = over_gloss(lobes, pp_rgb_scale(f, own.z * weight));
     *o = pp_frame_out(&lobes->frame, own);
     return !pp_rgb_is_black(*factor);
+}
+
+static bool sample_bumps(const struct pp_lobes *lobes, double u, double v,
+                         struct pp_vec3 *o, struct pp_rgb *factor)
+{
+    struct pp_rgb light;
+    if (!pp_bump_lobe_sample(&lobes->bumps, u, v, o, &light))
+        return false;
+    *factor = over_gloss(lobes, light);
+    return true;
 }
 
 bool pp_scatter_sample(const struct pp_lobes *lobes, enum pp_lobe lobe, double u,
@@ -280,6 +318,8 @@ bool pp_scatter_sample(const struct pp_lobes *lobes, enum pp_lobe lobe, double u
             return sample_pane(lobes, u, v, o, factor);
         if (lobes->rough)
             return sample_rough(lobes, u, v, o, factor);
+        if (lobes->has_bumps)
+            return sample_bumps(lobes, u, v, o, factor);
         return sample_gloss(lobes, lobe == PP_LOBE_THROUGH_GLOSS, u, v, o, factor);
     case PP_LOBE_MIRROR:
         *o = pp_vec_mirrored(pp_vec_scale(lobes->eye, -1.0), n);

@@ -3,7 +3,7 @@
  * Diffuse lobes are Lambertian; glosses are those of gloss.h. The lobe of a transmitted
  * gloss is the same, with its direction mirrored in the surface. The spike of a
  * physically rough surface is a mirror lobe; the rest of its reflection replaces the
- * gloss. For a scattering pane, the BTDF (model/light/pane_scatter.h) replaces the
+ * gloss. The reflection of a matt surface with bumps replaces the gloss too. For a scattering pane, the BTDF (model/light/pane_scatter.h) replaces the
  * transmitted gloss.
  */
 #ifndef PP_SIMULATE_SAMPLING_SCATTER_H
@@ -14,6 +14,7 @@
 #include "model/geometry/frame.h"
 #include "model/light/material.h"
 #include "model/light/rgb.h"
+#include "simulate/sampling/bump_lobe.h"
 #include "simulate/sampling/gloss.h"
 #include "simulate/sampling/rough_lobe.h"
 
@@ -42,21 +43,28 @@ struct pp_lobes {
     const struct pp_gloss *gloss;         /* NULL: none, or a mirror; not owned */
     const struct pp_rough_surface *rough; /* NULL: none; not owned */
     bool rough_is_grey;
+    bool has_bumps;
+    struct pp_bump_lobe bumps;             /* only with has_bumps */
     const struct pp_pane_scatter *scatter; /* BTDF of the lobe PP_LOBE_THROUGH_GLOSS;
                                             * NULL: a gloss; not owned */
     bool is_outside;                       /* as in the material */
 };
 
-/* True if there is a gloss, a rough surface or a BTDF. */
+/* True if there is a gloss, a rough surface, a BTDF or bumps. */
 static inline bool pp_scatter_has_gloss(const struct pp_lobes *lobes)
 {
-    return lobes->gloss || lobes->rough || lobes->scatter;
+    return lobes->gloss || lobes->rough || lobes->scatter || lobes->has_bumps;
 }
 
 /* gloss: gloss of the material; NULL if the material has no gloss or is a mirror. */
 void pp_scatter_init(struct pp_lobes *lobes, const struct pp_material *material,
                      const struct pp_gloss *gloss, struct pp_vec3 n,
                      struct pp_vec3 eye);
+
+/* Replaces the diffuse lobe by that of the bumps of the material at a point of the
+ * room. */
+void pp_scatter_add_bumps(struct pp_lobes *lobes, const struct pp_material *material,
+                          struct pp_vec3 point);
 
 /* Transmittance of the material for light that is not scattered (regular
  * transmittance), at the cosine of the angle of incidence. Not for scattering panes. */

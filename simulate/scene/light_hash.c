@@ -22,6 +22,13 @@ static uint64_t stir_sky(uint64_t hash, const struct pp_sky *sky)
     return stir(stir(stir(hash, sky->d), sky->e), sky->per_horizontal);
 }
 
+static uint64_t stir_text(uint64_t hash, const char *text)
+{
+    for (const char *c = text; *c; c++)
+        hash = pp_hash(hash, (unsigned char)*c);
+    return hash;
+}
+
 static uint64_t stir_rough(uint64_t hash, const struct pp_material *material)
 {
     const struct pp_rough_optics *optics = &material->rough->optics;
@@ -34,8 +41,9 @@ static uint64_t stir_rough(uint64_t hash, const struct pp_material *material)
 
 static uint64_t stir_surface_pattern(uint64_t hash, const struct pp_material *material)
 {
-    for (const char *c = material->surface_pattern->text; *c; c++)
-        hash = pp_hash(hash, (unsigned char)*c);
+    hash = stir_text(hash, material->surface_pattern->text);
+    if (material->bumps)
+        hash = stir_text(hash, material->bumps->text);
     struct pp_rgb scale = material->pattern_scale;
     hash = stir(stir(stir(hash, scale.r), scale.g), scale.b);
     return stir(hash, material->pattern_mean);
@@ -44,8 +52,7 @@ static uint64_t stir_surface_pattern(uint64_t hash, const struct pp_material *ma
 static uint64_t stir_material(uint64_t hash, const struct pp_material *material)
 {
     struct pp_material_key key = pp_surface_materials_key(material);
-    for (const char *c = key.name; *c; c++)
-        hash = pp_hash(hash, (unsigned char)*c);
+    hash = stir_text(hash, key.name);
     int count = PP_MATERIAL_KEY_NUMBERS;
     if (!material->scatter)
         count -= PP_MATERIAL_KEY_OF_SCATTER;

@@ -72,7 +72,8 @@ bool pp_light_scene_is_matt(const struct pp_light_scene *scene)
 {
     for (int i = 0; i < scene->material_count; i++)
         if (!pp_rgb_is_black(scene->materials[i].gloss)
-            || !pp_rgb_is_black(scene->materials[i].through_gloss))
+            || !pp_rgb_is_black(scene->materials[i].through_gloss)
+            || scene->materials[i].bumps)
             return false;
     return true;
 }
@@ -183,7 +184,8 @@ enum pp_status pp_light_scene_add_laws(struct pp_light_scene *scene,
             const struct pp_material *material =
                 &scene->materials[scene->parts[i].material[side]];
             scene->parts[i].matt[side] = material->kind == PP_MATERIAL_OPAQUE
-                                         && pp_rgb_is_black(material->gloss);
+                                         && pp_rgb_is_black(material->gloss)
+                                         && !material->bumps;
         }
     return status;
 }

@@ -8,7 +8,12 @@ void pp_light_scene_parts_lobes(const struct pp_light_scene *scene,
     pp_scatter_init(lobes, &scene->materials[hit->material],
                     pp_light_scene_gloss(scene, hit->material), hit->normal,
                     pp_vec_scale(to, -1.0));
-    if (scene->materials[hit->material].surface_pattern)
+    const struct pp_material *material = &scene->materials[hit->material];
+    if (!material->surface_pattern)
+        return;
+    if (material->bumps)
+        pp_scatter_add_bumps(lobes, material, pp_vec_add(hit->point, scene->centre));
+    else
         lobes->share[PP_LOBE_DIFFUSE] = pp_light_scene_parts_diffuse(scene, hit);
 }
 

@@ -79,7 +79,7 @@ static struct pp_rough_finish *make_finish(const struct pp_rough_finishes *list,
 
 enum pp_status pp_rough_finishes_add(struct pp_rough_finishes **list, const char *name,
                                      const struct pp_rough_optics *optics,
-                                     const struct pp_surface_pattern *pattern, int line,
+                                     struct pp_rough_formulae formulae, int line,
                                      struct pp_error *err)
 {
     if (!*list) {
@@ -91,9 +91,12 @@ enum pp_status pp_rough_finishes_add(struct pp_rough_finishes **list, const char
     struct pp_rough_finish *made = make_finish(*list, name, optics, line, err);
     if (!made)
         return pp_fail_memory(err);
-    made->has_pattern = pattern != NULL;
-    if (pattern)
-        made->pattern = *pattern;
+    made->has_pattern = formulae.pattern != NULL;
+    if (formulae.pattern)
+        made->pattern = *formulae.pattern;
+    made->has_bumps = formulae.height != NULL;
+    if (formulae.height)
+        made->height = *formulae.height;
     enum pp_status status =
         pp_array_append(&(*list)->list, (*list)->count, sizeof *(*list)->list, err);
     if (status == PP_OK) {

@@ -18,16 +18,24 @@ struct pp_rough_finish {
     struct pp_rough_surface surface;
     bool has_pattern;
     struct pp_surface_pattern pattern; /* factor of the optics' `diffuse` */
+    bool has_bumps;                    /* only if matt; `pattern` is then given too */
+    struct pp_surface_pattern height;  /* of the bumps, m */
     int line;
 };
 
 struct pp_rough_finishes;
 
+/* A pattern, and the height of bumps; NULL: none. A material with bumps is matt and has
+ * a pattern. */
+struct pp_rough_formulae {
+    const struct pp_surface_pattern *pattern, *height;
+};
+
 /* Adds a material; the list is made if *list is NULL. optics: with a roughness of 0,
- * the material is matt, with the reflectance `diffuse`. pattern: NULL: none. */
+ * the material is matt, with the reflectance `diffuse`. */
 enum pp_status pp_rough_finishes_add(struct pp_rough_finishes **list, const char *name,
                                      const struct pp_rough_optics *optics,
-                                     const struct pp_surface_pattern *pattern, int line,
+                                     struct pp_rough_formulae formulae, int line,
                                      struct pp_error *err);
 
 /* A NULL list has no materials. */

@@ -2,39 +2,83 @@
  *
  * The points are a Fibonacci lattice over the bounding rectangle of the surface: point
  * i of F(n), with k = i + 1/2, is at k / F(n) along one side, and at the fractional
- * part of k F(n-1) / F(n) along the other. The mean of a chequer is then correct to
- * 0.0005, whatever its period, if its squares are not smaller than a hundredth of the
- * surface.
+ * part of k F(n-1) / F(n) along the other. With F(25) points, the mean of a chequer is
+ * correct to 0.0005, whatever its period, if its squares are not smaller than a
+ * hundredth of the surface.
  */
 #include "model/room/build/mean_patterns.h"
 
 #include <math.h>
 
+#include "model/light/rough/bump_facets.h"
 #include "model/light/rough/rough_finishes.h"
 #include "model/room/face_frame.h"
 
-enum { POINTS = 75025, TURNS = 46368 }; /* Fibonacci numbers 25 and 24 */
+/* Points of a surface, a Fibonacci number, and the number before it. All surfaces with a
+ * pattern have about POINTS_MOST points together, if each has at least POINTS_LEAST. */
+struct lattice {
+    int points, turns;
+};
+enum { POINTS_MOST = 3000000, POINTS_LEAST = 89 };
+
+static struct lattice lattice_for(int surfaces)
+{
+    struct lattice lattice = {75025, 46368}; /* Fibonacci numbers 25 and 24 */
+    while (lattice.points > POINTS_LEAST && lattice.points > POINTS_MOST / surfaces)
+        lattice = (struct lattice){lattice.turns, lattice.points - lattice.turns};
+    return lattice;
+}
 
 /* Sums over the points of a surface. */
 struct pattern_points {
-    double mean; /* updated point by point: a constant remains exact */
+    double mean;        /* updated point by point: a constant remains exact */
+    double reflectance; /* with bumps: mean reflectance for diffuse light */
     int count;
     double low, high; /* least and greatest value, at low_at and high_at */
     struct pp_vec3 low_at, high_at;
-    const char *fault; /* why the formula has no value at fault_at; NULL: it has */
+    const char *fault;     /* why the formula has no value at fault_at; NULL: it has */
+    const char *attribute; /* of the formula: "pattern" or "bump" */
     struct pp_vec3 fault_at;
 };
 
-static void add_pattern_point(struct pattern_points *points,
-                              const struct pp_surface_pattern *pattern,
-                              struct pp_vec3 at)
+/* Notes the first fault; fault: NULL: none. */
+static void note_fault(struct pattern_points *points, const char *attribute,
+                       const char *fault, struct pp_vec3 at)
+{
+    if (!fault || points->fault)
+        return;
+    points->fault = fault;
+    points->attribute = attribute;
+    points->fault_at = at;
+}
+
+/* Adds the reflectance of facets at the next point. */
+static void add_bump(struct pattern_points *points,
+                     const struct pp_rough_finish *material, double reflectance,
+                     struct pp_vec3 at, struct pp_vec3 normal)
 {
     struct pp_expression_fault fault;
-    double value = pp_surface_pattern_at(pattern, at, &fault);
-    if (fault.what && !points->fault) {
-        points->fault = fault.what;
-        points->fault_at = at;
-    }
+    struct pp_vec3 slope = pp_surface_pattern_slope(&material->height, at, &fault);
+    double steepness =
+        pp_vec_length(pp_vec_along(slope, -pp_vec_dot(slope, normal), normal));
+    note_fault(points, "bump", fault.what, at);
+    note_fault(points, "bump", isfinite(steepness) ? NULL : "has no slope", at);
+    points->reflectance +=
+        (pp_bump_facets_reflectance(steepness, reflectance) - points->reflectance)
+        / (points->count + 1);
+}
+
+static void add_pattern_point(struct pattern_points *points,
+                              const struct pp_rough_finish *material, struct pp_vec3 at,
+                              struct pp_vec3 normal)
+{
+    struct pp_expression_fault fault;
+    double value = pp_surface_pattern_at(&material->pattern, at, &fault);
+    note_fault(points, "pattern", fault.what, at);
+    if (material->has_bumps)
+        add_bump(points, material,
+                 pp_rgb_luminance(material->surface.optics.diffuse) * value, at,
+                 normal);
     points->mean += (value - points->mean) / ++points->count;
     if (value < points->low) {
         points->low = value;
@@ -62,24 +106,26 @@ static bool is_covered(const struct pp_world *world, int face, struct pp_vec3 po
 
 static enum pp_status sample_pattern(struct pattern_points *points,
                                      const struct pp_world *world, int index,
-                                     const struct pp_surface_pattern *pattern,
-                                     struct pp_error *err)
+                                     const struct pp_rough_finish *material,
+                                     struct lattice lattice, struct pp_error *err)
 {
     struct pp_face_frame frame;
     enum pp_status status = pp_face_frame_init(&frame, &world->surfaces[index], err);
     *points = (struct pattern_points){.low = INFINITY, .high = -INFINITY};
     bool face = index < world->face_count;
-    for (int i = 0; i < POINTS && status == PP_OK; i++) {
+    int count = lattice.points;
+    for (int i = 0; i < count && status == PP_OK; i++) {
         const struct pp_bounds2 *box = &frame.bounds;
-        double u = (i + 0.5) / POINTS,
-               v = fmod((i + 0.5) * (double)TURNS, POINTS) / POINTS,
+        double u = (i + 0.5) / count,
+               v = fmod((i + 0.5) * lattice.turns, count) / count,
                x = box->low[0] + u * (box->high[0] - box->low[0]),
                y = box->low[1] + v * (box->high[1] - box->low[1]);
         struct pp_vec3 at = pp_face_frame_point(&frame, x, y);
         if (pp_polygon_ring_side((const double(*)[2])frame.xy, frame.count, x, y, 0.0)
                 != PP_OUTSIDE
             && !(face && is_covered(world, index, at)))
-            add_pattern_point(points, pattern, at);
+            add_pattern_point(points, material, at,
+                              world->surfaces[index].outline.normal);
     }
     if (status == PP_OK)
         pp_face_frame_clear(&frame);
@@ -111,10 +157,10 @@ static bool check_pattern_points(struct pp_mistakes *mistakes,
              fmax(material->surface.reflectance[1], material->surface.reflectance[2]));
     if (points->fault) {
         pp_mistakes_add(mistakes, material->line,
-                        "material: the pattern of \"%.60s\" %s at the point "
+                        "material: the %s of \"%.60s\" %s at the point "
                         "%.3f %.3f %.3f; expected a value on all its surfaces",
-                        material->finish.name, points->fault, points->fault_at.x,
-                        points->fault_at.y, points->fault_at.z);
+                        points->attribute, material->finish.name, points->fault,
+                        points->fault_at.x, points->fault_at.y, points->fault_at.z);
         return false;
     }
     if (points->low < 0.0)
@@ -128,19 +174,20 @@ static bool check_pattern_points(struct pp_mistakes *mistakes,
 /* Sets the mean reflectance of a surface. */
 static enum pp_status set_mean(struct pp_resolver *r, int index,
                                const struct pp_rough_finish *material,
-                               struct pp_error *err)
+                               struct lattice lattice, struct pp_error *err)
 {
     struct pp_surface *surface = &r->world->surfaces[index];
     struct pattern_points points;
     enum pp_status status =
-        sample_pattern(&points, r->world, index, &material->pattern, err);
+        sample_pattern(&points, r->world, index, material, lattice, err);
     if (status != PP_OK || points.count == 0
         || !check_pattern_points(r->mistakes, material, &points))
         return status;
     double whole = material->finish.reflectance,
            diffuse = pp_rgb_luminance(material->surface.optics.diffuse),
-           mean = material->is_matt ? whole * points.mean
-                                    : whole - diffuse * (1.0 - points.mean);
+           mean = material->has_bumps ? points.reflectance
+                  : material->is_matt ? whole * points.mean
+                                      : whole - diffuse * (1.0 - points.mean);
     surface->pattern_mean = points.mean;
     if (surface->back == surface->front && index >= r->world->face_count)
         surface->back = mean;
@@ -148,24 +195,36 @@ static enum pp_status set_mean(struct pp_resolver *r, int index,
     return PP_OK;
 }
 
+/* The material of a surface, if it has a pattern; NULL otherwise. A study that assumes
+ * another reflectance has no pattern. */
+static const struct pp_rough_finish *pattern_of(const struct pp_world *world, int index)
+{
+    const struct pp_surface *surface = &world->surfaces[index];
+    const struct pp_rough_finish *material =
+        pp_rough_finishes_patterned(world->materials, surface->finish);
+    bool own = material && surface->front == material->finish.reflectance;
+    return own ? material : NULL;
+}
+
 enum pp_status pp_build_mean_patterns(struct pp_resolver *r, struct pp_error *err)
 {
     const struct pp_world *world = r->world;
     enum pp_status status = PP_OK;
+    int surfaces = 0;
+    for (int i = 0; i < world->surface_count; i++)
+        surfaces += pattern_of(world, i) != NULL;
     for (int i = 0; i < world->surface_count && status == PP_OK; i++) {
         const struct pp_surface *surface = &world->surfaces[i];
-        const struct pp_rough_finish *material =
-            pp_rough_finishes_patterned(world->materials, surface->finish);
-        /* A study that assumes another reflectance has no pattern. */
-        if (!material || surface->front != material->finish.reflectance)
+        const struct pp_rough_finish *material = pattern_of(world, i);
+        if (!material)
             continue;
         int before = r->mistakes->count;
         if (surface->inside)
-            status = set_mean(r, i, material, err);
+            status = set_mean(r, i, material, lattice_for(surfaces), err);
         else
             pp_mistakes_add(r->mistakes, surface->line,
-                            "surface: the material \"%.60s\" has a pattern; expected "
-                            "one without a pattern outside the room",
+                            "surface: the material \"%.60s\" has a pattern or bumps; "
+                            "expected one without them outside the room",
                             material->finish.name);
         if (r->mistakes->count > before)
             break;

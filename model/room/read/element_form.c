@@ -119,7 +119,8 @@ static bool read_own_material(struct pp_finish_value *value,
     if (!own)
         return wrong(at, ", or # and the name of a <material> of the file");
     if (own->has_pattern && at->kind->without_pattern)
-        return wrong(at, ", without a pattern, which only surfaces in a room can have");
+        return wrong(
+            at, ", without a pattern or bumps, which only surfaces in a room can have");
     value->finish = &own->finish;
     value->reflectance = own->finish.reflectance;
     return true;

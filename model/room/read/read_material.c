@@ -58,18 +58,42 @@ static bool material_is_whole(struct pp_reader *r, const struct pp_material_form
     return !black;
 }
 
-/* Parses the pattern; returns false, with a report, if it is not valid. */
-static bool read_pattern(struct pp_reader *r, struct pp_surface_pattern *pattern,
-                         const char *text, int line)
+/* Parses the formula of an attribute; returns false, with a report, if it is not
+ * valid. */
+static bool read_formula(struct pp_reader *r, struct pp_surface_pattern *formula,
+                         const char *attribute, const char *text, int line)
 {
     struct pp_expression_mistake mistake;
     char shown[160];
-    bool good = pp_surface_pattern_parse(pattern, text, &mistake);
+    bool good = pp_surface_pattern_parse(formula, text, &mistake);
     if (!good)
-        pp_mistakes_add(r->mistakes, line, "material: pattern \"%s\", column %d: %s",
-                        pp_text_excerpt(shown, sizeof shown, text), mistake.column + 1,
-                        mistake.what);
+        pp_mistakes_add(r->mistakes, line, "material: %s \"%s\", column %d: %s",
+                        attribute, pp_text_excerpt(shown, sizeof shown, text),
+                        mistake.column + 1, mistake.what);
     return good;
+}
+
+/* The two formulae of a material. */
+struct material_formulae {
+    struct pp_surface_pattern pattern, height;
+};
+
+/* Reads the formulae; bumps without a pattern get the pattern 1. Returns false, with a
+ * report, if one is not valid. */
+static bool read_formulae(struct pp_reader *r, struct material_formulae *formulae,
+                          const struct pp_material_form *form, int line)
+{
+    const char *pattern = form->bump && !form->pattern ? "1" : form->pattern;
+    if (form->bump && form->roughness_um > 0.0) {
+        pp_mistakes_add(r->mistakes, line,
+                        "material: a physically rough material has the attribute bump; "
+                        "expected bumps only on a matt material, without n, k, "
+                        "roughness and correlation-length");
+        return false;
+    }
+    return (!pattern || read_formula(r, &formulae->pattern, "pattern", pattern, line))
+           && (!form->bump
+               || read_formula(r, &formulae->height, "bump", form->bump, line));
 }
 
 /* Wavelengths of red, green and blue if a material gives none. */
@@ -87,8 +111,9 @@ static void add_stand_in(struct pp_reader *r, const struct pp_xml_element *e)
         const struct pp_xml_attribute *a = &e->attributes[i];
         if (strcmp(a->name, "name") == 0 && a->value[0]
             && !pp_rough_finishes_find(r->materials, a->value)
-            && pp_rough_finishes_add(&r->materials, a->value, &glassy, NULL, e->line,
-                                     NULL)
+            && pp_rough_finishes_add(&r->materials, a->value, &glassy,
+                                     (struct pp_rough_formulae){.pattern = NULL},
+                                     e->line, NULL)
                    != PP_OK)
             r->out_of_memory = true;
     }
@@ -97,7 +122,7 @@ static void add_stand_in(struct pp_reader *r, const struct pp_xml_element *e)
 static void read_material(struct pp_reader *r, const struct pp_xml_element *e)
 {
     struct pp_material_form form;
-    struct pp_surface_pattern pattern;
+    struct material_formulae formulae;
     if (pp_rough_finishes_count(r->materials) >= PP_ROOM_MATERIALS_MOST) {
         pp_mistakes_add(r->mistakes, e->line,
                         "material: the file has more than %d materials; expected at "
@@ -108,7 +133,7 @@ static void read_material(struct pp_reader *r, const struct pp_xml_element *e)
     if (!pp_reader_fill_form(r, &form, &pp_rule_material, e)
         || !material_is_whole(r, &form, e->line)
         || !material_is_possible(r, &form, e->line)
-        || (form.pattern && !read_pattern(r, &pattern, form.pattern, e->line))) {
+        || !read_formulae(r, &formulae, &form, e->line)) {
         add_stand_in(r, e);
         return;
     }
@@ -122,8 +147,10 @@ static void read_material(struct pp_reader *r, const struct pp_xml_element *e)
         optics.wavelength[c] =
             form.wavelength_um[c] > 0.0 ? form.wavelength_um[c] : usual_um[c];
     }
-    if (pp_rough_finishes_add(&r->materials, form.name, &optics,
-                              form.pattern ? &pattern : NULL, e->line, NULL)
+    const struct pp_rough_formulae given = {
+        .pattern = form.pattern || form.bump ? &formulae.pattern : NULL,
+        .height = form.bump ? &formulae.height : NULL};
+    if (pp_rough_finishes_add(&r->materials, form.name, &optics, given, e->line, NULL)
         != PP_OK)
         r->out_of_memory = true;
 }

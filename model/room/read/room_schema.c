@@ -68,6 +68,7 @@ static const struct pp_attribute_rule material_rows[] = {
     {"diffuse", &pp_room_values_diffuse, OR(0), IN(material, diffuse)},
     {"wavelength", &pp_room_values_wavelength, OR(0), IN(material, wavelength_um)},
     {"pattern", &pp_room_values_pattern, OR(NAN), IN(material, pattern)},
+    {"bump", &pp_room_values_pattern, OR(NAN), IN(material, bump)},
 };
 LEAF(material, "material", material_rows);
 

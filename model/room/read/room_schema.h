@@ -186,7 +186,7 @@ struct pp_material_form {
     const char *name;
     double n[3], k[3], wavelength_um[3], diffuse[3];
     double roughness_um, correlation_um;
-    const char *pattern; /* NULL: none */
+    const char *pattern, *bump; /* formulae; NULL: none */
 };
 
 /* A window, a rooflight or an opening. */
