@@ -292,6 +292,7 @@ struct pp_world {
 
     struct pp_world *within; /* the coarse model that the room is nested in, in its own
                               * axes; held; NULL: none */
+    struct pp_placement within_place;  /* converts from the axes of the coarse model */
     struct pp_outer_pane *outer_panes; /* glass of the coarse model, then crowns */
     int outer_pane_count;
     struct pp_tree *trees;

@@ -7,6 +7,7 @@
 #include "model/geometry/min_max.h"
 #include "model/light/photographs/sky_bright.h"
 #include "simulate/sampling/sample_bright.h"
+#include "simulate/sampling/sample_part.h"
 #include "simulate/sampling/triangle.h"
 
 /* Least density in the unit square, as a fraction of the mean. Limits the variance that
@@ -376,7 +377,10 @@ void pp_sample_polygon_init(struct pp_polygon_sampler *sampler,
     if (sampler->bright)
         sampler->bright_share =
             pp_sample_bright_share_of_target(sampler->bright, target, from, n);
+    sampler->part.share = 0.0;
     if (target->rectangle) {
+        if (brightness.beyond_count > 0)
+            sampler->part = pp_sample_part_of(target, from, &brightness);
         rectangle_init(sampler);
         weigh_corners(sampler, n, brightness);
         return;
@@ -456,6 +460,10 @@ double pp_sample_polygon_pdf(const struct pp_polygon_sampler *sampler,
     if (sampler->bright_share > 0.0)
         pdf = (1.0 - sampler->bright_share) * pdf
               + sampler->bright_share * pp_sky_bright_pdf(sampler->bright, direction);
+    if (sampler->part.share > 0.0)
+        pdf = (1.0 - sampler->part.share) * pdf
+              + sampler->part.share * pp_sample_part_density(sampler, at.point)
+                    / per_area(sampler, &at);
     return pdf;
 }
 
@@ -479,6 +487,12 @@ static struct pp_direction_sample mixed_sample(const struct pp_polygon_sampler *
 struct pp_direction_sample pp_sample_polygon_draw(
     const struct pp_polygon_sampler *sampler, double u, double v)
 {
-    return sampler->bright_share > 0.0 ? mixed_sample(sampler, u, v)
-                                       : shape_sample(sampler, u, v);
+    double share = sampler->part.share, rest = (u - share) / (1.0 - share);
+    struct pp_direction_sample sample =
+        u < share ? at_point(sampler, pp_sample_part_draw(sampler, u / share, v))
+        : sampler->bright_share > 0.0 ? mixed_sample(sampler, rest, v)
+                                      : shape_sample(sampler, rest, v);
+    if (share > 0.0 && sample.distance_m > 0.0)
+        sample.per_density = 1.0 / pp_sample_polygon_pdf(sampler, sample.direction);
+    return sample;
 }

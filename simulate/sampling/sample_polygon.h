@@ -44,6 +44,21 @@ static inline struct pp_vec3 pp_target_point(const struct pp_target *target, dou
     return pp_vec_along(pp_vec_along(target->corner, x, target->along), y, target->up);
 }
 
+/* Finds the point where a ray meets the front of a rectangle; false if it does not. */
+static inline bool pp_target_meets_rectangle(const struct pp_target *target,
+                                             struct pp_vec3 from, struct pp_vec3 to,
+                                             struct pp_vec3 *point)
+{
+    double toward = -pp_vec_dot(target->normal, to);
+    double over = pp_vec_dot(target->normal, pp_vec_sub(from, target->corner));
+    if (!(toward > 0.0) || !(over > 0.0))
+        return false;
+    *point = pp_vec_along(from, over / toward, to);
+    struct pp_vec3 in = pp_vec_sub(*point, target->corner);
+    double x = pp_vec_dot(in, target->along), y = pp_vec_dot(in, target->up);
+    return x > 0.0 && x < target->width_m && y > 0.0 && y < target->height_m;
+}
+
 struct pp_sky_bright;
 
 /* Estimated luminance outside the openings, relative to the luminance of the
@@ -54,6 +69,16 @@ struct pp_brightness {
     const struct pp_sky_bright
         *bright; /* bright parts of a photographed sky (sample_bright.h); NULL: none;
                   * not owned */
+    const struct pp_target
+        *beyond; /* rectangular openings of a coarse model outside, through which the
+                  * sky is seen (sample_part.h); not owned */
+    int beyond_count;
+};
+
+/* The part of a rectangle through which openings beyond it are seen: a rectangle, from
+ * the corner (m). share: of the directions; 0: none. */
+struct pp_seen_part {
+    double x0, x1, y0, y1, share;
 };
 
 /* A target as seen from one point of a surface. */
@@ -69,6 +94,7 @@ struct pp_polygon_sampler {
     const struct pp_sky_bright *bright;
     double bright_share; /* share of directions to the bright parts of the sky; 0:
                           * none */
+    struct pp_seen_part part;
 };
 
 /* True if the front of the target is at least partly visible from this side of a

@@ -23,6 +23,7 @@ void pp_light_scene_destroy(struct pp_light_scene *scene)
     pp_scene_skylines_clear(&scene->skylines);
     free(scene->panes);
     free(scene->pane_triangles);
+    free(scene->coarse.list);
     free(scene->plane);
     free(scene->materials);
     free(scene->glass_curves);
@@ -88,7 +89,13 @@ enum pp_status pp_light_scene_under(struct pp_environment **environment,
                                     const struct pp_outside_light *light,
                                     struct pp_error *err)
 {
-    return pp_environment_create(environment, &scene->skylines, light, err);
+    enum pp_status status =
+        pp_environment_create(environment, &scene->skylines, light, err);
+    if (status != PP_OK)
+        return status;
+    (*environment)->brightness.beyond = scene->coarse.list;
+    (*environment)->brightness.beyond_count = scene->coarse.count;
+    return PP_OK;
 }
 
 struct pp_bounds3 pp_light_scene_bounds(const struct pp_light_scene *scene, bool room)

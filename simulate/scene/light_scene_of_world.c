@@ -109,6 +109,8 @@ static enum pp_status add_world_triangles(struct pp_light_scene *scene,
     if (status == PP_OK)
         status = pp_openings_find(scene, list, first_pane, err);
     if (status == PP_OK)
+        status = pp_coarse_openings_find(&scene->coarse, world, scene->centre, err);
+    if (status == PP_OK)
         pp_convex_room_find_niches(scene);
     if (status == PP_OK)
         status = pp_reflectors_find(scene, err);

@@ -5,6 +5,7 @@
 #include "model/light/scene_description.h"
 #include "simulate/sampling/gloss.h"
 #include "simulate/sampling/scatter.h"
+#include "simulate/scene/coarse_openings.h"
 #include "simulate/scene/convex_room.h"
 #include "simulate/scene/emitters.h"
 #include "simulate/scene/images/glass_images.h"
@@ -51,6 +52,7 @@ struct pp_light_scene {
     int pane_count;
     bool has_niches; /* true if one of the openings has a reveal */
     struct pp_vec3 (*pane_triangles)[3];
+    struct pp_coarse_openings coarse;
     struct pp_vec3 (*plane)[3]; /* the working plane's triangles */
     int plane_count;
     double plane_area_m2;

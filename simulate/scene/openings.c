@@ -35,8 +35,8 @@ static bool has_reveals(const struct pp_world *world)
     return false;
 }
 
-static struct pp_target target_of(const struct pp_opening *opening,
-                                  struct pp_vec3 centre)
+struct pp_target pp_openings_target(const struct pp_opening *opening,
+                                    struct pp_vec3 centre)
 {
     const struct pp_polygon *outer = &opening->outer;
     struct pp_target target = {.normal = outer->normal,
@@ -78,7 +78,7 @@ enum pp_status pp_openings_find(struct pp_light_scene *scene,
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_opening *opening = &world->openings[i];
         scene->panes[i] =
-            (struct pp_pane){.target = target_of(opening, scene->centre),
+            (struct pp_pane){.target = pp_openings_target(opening, scene->centre),
                              .opening = opening,
                              .part = world->surface_count + i,
                              .seen_by_all = seen_by_all,

@@ -34,6 +34,11 @@ static inline const struct pp_target *pp_openings_aim(const struct pp_pane *pane
     return mouths ? &pane->mouth : &pane->target;
 }
 
+/* The glass of an opening as a target, without its triangles. Points of the target are
+ * measured from `centre`. */
+struct pp_target pp_openings_target(const struct pp_opening *opening,
+                                    struct pp_vec3 centre);
+
 /* Fills scene->panes from scene->world. triangles: those of all parts; the triangles of
  * openings begin at `first`. */
 enum pp_status pp_openings_find(struct pp_light_scene *scene,

@@ -102,13 +102,17 @@ bool pp_path_scatter_diffuse(const struct pp_radiance_state *state,
                              const struct pp_frame *frame, enum pp_space space,
                              double least)
 {
-    double u[4]; /* direction (2), unused, Russian roulette */
+    double u[4]; /* direction (2), its density, Russian roulette */
     pp_sobol_sequence_draw(&state->sequence, state->index, path->vertex * PP_DRAWS, 4,
                            u);
     path->ray = (struct pp_light_ray){from, frame->z, frame->z, space};
-    double weight =
-        pp_sample_bright_lobe(bright_for(state, path, space), frame->x, frame->y,
-                              frame->z, u[0], u[1], &path->ray.to);
+    double weight;
+    if (space != PP_OUTDOORS || state->scene->coarse.count == 0
+        || !pp_coarse_openings_draw(
+            &state->scene->coarse, state->environment->brightness, from, frame,
+            pp_rgb_most(path->throughput), u, &path->ray.to, &weight))
+        weight = pp_sample_bright_lobe(bright_for(state, path, space), frame->x,
+                                       frame->y, frame->z, u[0], u[1], &path->ray.to);
     path->sampled = PP_DIRECTLY_SAMPLED_ALL;
     path->sampled_in = space;
     path->from_diffuse = true;

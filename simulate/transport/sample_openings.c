@@ -280,21 +280,6 @@ bool pp_sample_openings_aim(struct pp_radiance_state *state,
     return sample_opening(state, &one, 1.0, u, sample);
 }
 
-/* Finds the point where a ray from inside meets the rectangular pane; false if it does
- * not meet the pane. */
-static bool meets_rectangle(const struct pp_target *target, struct pp_vec3 from,
-                            struct pp_vec3 to, struct pp_vec3 *point)
-{
-    double toward = -pp_vec_dot(target->normal, to);
-    double over = pp_vec_dot(target->normal, pp_vec_sub(from, target->corner));
-    if (!(toward > 0.0) || !(over > 0.0))
-        return false;
-    *point = pp_vec_along(from, over / toward, to);
-    struct pp_vec3 in = pp_vec_sub(*point, target->corner);
-    double x = pp_vec_dot(in, target->along), y = pp_vec_dot(in, target->up);
-    return x > 0.0 && x < target->width_m && y > 0.0 && y < target->height_m;
-}
-
 bool pp_sample_openings_along(struct pp_radiance_state *state,
                               const struct pp_shading_point *shading, int opening,
                               struct pp_vec3 to, struct pp_opening_sample *sample)
@@ -304,7 +289,7 @@ bool pp_sample_openings_along(struct pp_radiance_state *state,
     struct pp_direction_sample there = {.direction = to};
     struct pp_light_hit hit;
     if (pane->seen_by_all && pane->target.rectangle && !state->every_ray) {
-        if (!meets_rectangle(&pane->target, shading->point, to, &there.point))
+        if (!pp_target_meets_rectangle(&pane->target, shading->point, to, &there.point))
             return false;
     } else {
         if (pp_radiance_state_meet(state, &ray, &hit) != PP_MEETS_PART

@@ -472,6 +472,7 @@ enum pp_status pp_build_nested(struct pp_resolver *r, struct pp_error *err)
     enum pp_status status = PP_OK;
     if (match_openings(&n)) {
         r->world->within_is_before = n.before;
+        r->world->within_place = n.place;
         set_ground(&n);
         int own = r->world->surface_count;
         status = add_coarse_surfaces(&n, err);

@@ -56,15 +56,17 @@ static double solid_angle(double x0, double x1, double z0, double z1, double d)
            - corner_solid_angle(x1, z0, d) + corner_solid_angle(x0, z0, d);
 }
 
+static const struct pp_brightness plain = {.ground = 0.2, .gradation = 2.0};
+
 /* Solid angle and configuration integral by 2^m samples. */
-static void sample_sums(const struct pp_target *target, struct pp_vec3 from,
-                        struct pp_vec3 n, int m, double *solid, double *facing)
+static void sample_sums_under(struct pp_brightness brightness,
+                              const struct pp_target *target, struct pp_vec3 from,
+                              struct pp_vec3 n, int m, double *solid, double *facing)
 {
     struct pp_sobol_sequence sequence;
     pp_sobol_sequence_init(&sequence, &sobol, 161803);
     struct pp_polygon_sampler sampler;
-    pp_sample_polygon_init(&sampler, target, from, n,
-                           (struct pp_brightness){.ground = 0.2, .gradation = 2.0});
+    pp_sample_polygon_init(&sampler, target, from, n, brightness);
     *solid = *facing = 0.0;
     for (uint32_t i = 0; i < UINT32_C(1) << m; i++) {
         double u[2];
@@ -84,6 +86,12 @@ static void sample_sums(const struct pp_target *target, struct pp_vec3 from,
             pp_vec_dot(pp_vec_sub(sample.point, target->middle), target->normal), 0.0,
             1e-9 * sample.distance_m);
     }
+}
+
+static void sample_sums(const struct pp_target *target, struct pp_vec3 from,
+                        struct pp_vec3 n, int m, double *solid, double *facing)
+{
+    sample_sums_under(plain, target, from, n, m, solid, facing);
 }
 
 static const struct pp_vec3 up = {0.0, 0.0, 1.0};
@@ -166,6 +174,58 @@ static void a_polygon_has_its_configuration_factor(void **state)
     }
 }
 
+/* A rooflight outside, at a height of 5 m and 1.8 m to 2.7 m in front of the window. */
+static const struct pp_target beyond = {.normal = {0.0, 0.0, -1.0},
+                                        .middle = {1.45, -2.25, 5.0},
+                                        .area_m2 = 1.3 * 0.9,
+                                        .rectangle = true,
+                                        .corner = {0.8, -2.7, 5.0},
+                                        .along = {1.0, 0.0, 0.0},
+                                        .up = {0.0, 1.0, 0.0},
+                                        .width_m = 1.3,
+                                        .height_m = 0.9};
+
+/* A rooflight that is seen through part of the window attracts directions, but does not
+ * change the solid angle of the window. From the third point it is not seen. */
+static void an_opening_beyond_a_window_leaves_its_solid_angle_alone(void **state)
+{
+    (void)state;
+    struct pp_target target = window(0.2, 0.9, 2.6, 1.4);
+    struct pp_brightness brightness = plain;
+    brightness.beyond = &beyond;
+    brightness.beyond_count = 1;
+    const struct pp_vec3 points[] = {{1.1, 1.1, 0.2}, {0.4, 0.3, 1.1}, {1.1, 9.0, 0.8}};
+    for (int i = 0; i < 3; i++) {
+        struct pp_polygon_sampler sampler;
+        struct pp_vec3 p = points[i];
+        double solid, facing;
+        pp_sample_polygon_init(&sampler, &target, p, up, brightness);
+        assert_true(i < 2 ? sampler.part.share > 0.05 : sampler.part.share == 0.0);
+        sample_sums_under(brightness, &target, p, up, 16, &solid, &facing);
+        assert_relative(
+            solid, solid_angle(0.2 - p.x, 2.8 - p.x, 0.9 - p.z, 2.3 - p.z, p.y), 1e-3);
+    }
+}
+
+/* The part through which the rooflight is seen: from 1 m behind the window, the
+ * corners of the rooflight at 2.7 m and 1.8 m outside are projected to 1/3.7 and 1/2.8
+ * of the way. */
+static void an_opening_beyond_is_projected_to_the_window(void **state)
+{
+    (void)state;
+    struct pp_target target = window(0.2, 0.9, 2.6, 1.4);
+    struct pp_brightness brightness = {.beyond = &beyond, .beyond_count = 1};
+    struct pp_polygon_sampler sampler;
+    struct pp_vec3 p = {1.1, 1.0, 0.2};
+    pp_sample_polygon_init(&sampler, &target, p, up, brightness);
+    /* x from 1.1 - 0.3/2.8 to 1.1 + 1.0/2.8, counted from x = 2.8 to the left; z from
+     * 0.2 + 4.8/3.7 to 0.2 + 4.8/2.8, counted from 0.9. */
+    assert_near(sampler.part.x0, 2.8 - (1.1 + 1.0 / 2.8), 1e-12);
+    assert_near(sampler.part.x1, 2.8 - (1.1 - 0.3 / 2.8), 1e-12);
+    assert_near(sampler.part.y0, 0.2 + 4.8 / 3.7 - 0.9, 1e-12);
+    assert_near(sampler.part.y1, 0.2 + 4.8 / 2.8 - 0.9, 1e-12);
+}
+
 /* Each of 5 x 5 parts of the window contributes its own solid angle. */
 static void density_is_right_in_every_part_of_a_rectangle(void **state)
 {
@@ -232,6 +292,8 @@ TEST_FILE
         cmocka_unit_test(a_rectangle_has_its_solid_angle_from_anywhere),
         cmocka_unit_test(a_long_window_is_guessed_at_near_its_end),
         cmocka_unit_test(a_polygon_has_its_configuration_factor),
+        cmocka_unit_test(an_opening_beyond_a_window_leaves_its_solid_angle_alone),
+        cmocka_unit_test(an_opening_beyond_is_projected_to_the_window),
         cmocka_unit_test(density_is_right_in_every_part_of_a_rectangle),
         cmocka_unit_test(the_guess_makes_a_few_directions_enough),
         cmocka_unit_test(a_window_is_seen_from_its_own_side_only),

@@ -41,6 +41,7 @@ static void roulette_does_not_end_paths_because_they_lead_to_the_sun(void **stat
 {
     (void)state;
     static struct pp_sobol sobol;
+    static struct pp_light_scene open;
     static struct pp_radiance_state paths;
     struct pp_sky_picture *picture = sunny();
     struct pp_environment environment = {.light.sky = pp_sky_of_picture(picture, 0.0)};
@@ -48,6 +49,7 @@ static void roulette_does_not_end_paths_because_they_lead_to_the_sun(void **stat
         pp_sky_bright_create(&environment.bright, &environment.light.sky, NULL), PP_OK);
     assert_non_null(environment.bright);
     pp_sobol_init(&sobol);
+    paths.scene = &open;
     paths.environment = &environment;
     pp_sobol_sequence_init(&paths.sequence, &sobol, 1);
     const struct pp_frame level = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
