@@ -60,11 +60,12 @@ enum pp_lobe pp_path_walk_scatter(struct pp_path_walk *walk,
 struct pp_lobes pp_path_walk_lobes(const struct pp_path_walk *walk,
                                    const struct pp_light_hit *hit, struct pp_vec3 wo)
 {
-    struct pp_lobes lobes = {.eye = wo, .frame = {.z = hit->normal}};
+    struct pp_lobes lobes;
     if (hit->part >= 0) {
         pp_light_scene_parts_lobes(walk->scene, hit, pp_vec_scale(wo, -1.0), &lobes);
         return lobes;
     }
+    lobes = (struct pp_lobes){.eye = wo, .frame = {.z = hit->normal}};
     lobes.share[PP_LOBE_DIFFUSE] =
         pp_rgb_grey(pp_outside_light_ground(&walk->environment->light));
     pp_lobe_frame(hit->normal, &lobes.frame.x, &lobes.frame.y);

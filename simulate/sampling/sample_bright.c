@@ -57,14 +57,16 @@ double pp_sample_bright_lobe(const struct pp_sky_bright *bright, struct pp_vec3 
                              struct pp_vec3 b, struct pp_vec3 n, double u, double v,
                              struct pp_vec3 *to)
 {
+    if (!bright) {
+        *to = pp_lobe_sample_in_frame(a, b, n, u, v);
+        return 1.0;
+    }
     int count = 0;
-    for (int i = 0; bright && i < PP_SKY_BRIGHT_SOME; i++)
+    for (int i = 0; i < PP_SKY_BRIGHT_SOME; i++)
         count += pp_vec_dot(n, bright->some[i]) > 0.0;
-    double share = bright ? share_of_count(bright, count) : 0.0;
+    double share = share_of_count(bright, count);
     *to = u < share ? pp_sky_bright_draw(bright, u / share, v)
                     : pp_lobe_sample_in_frame(a, b, n, (u - share) / (1.0 - share), v);
-    if (!bright)
-        return 1.0;
     double own = pp_vec_dot(n, *to) / PP_PI;
     if (!(own > 0.0))
         return 0.0;

@@ -65,14 +65,14 @@ bool pp_sample_polygon_in_sight(const struct pp_target *target, struct pp_vec3 f
 /* Cosine at the surface times the brightness outside, for the unnormalised direction
  * v. */
 static double receiver_weight(struct pp_vec3 v, double length, struct pp_vec3 n,
-                              struct pp_brightness brightness)
+                              const struct pp_brightness *brightness)
 {
     double facing = pp_vec_dot(n, v) / length;
     if (!(facing > 0.0))
         return 0.0;
     return facing
-           * (v.z > 0.0 ? 1.0 + brightness.gradation * v.z / length
-                        : brightness.ground);
+           * (v.z > 0.0 ? 1.0 + brightness->gradation * v.z / length
+                        : brightness->ground);
 }
 
 /* Multiplies a complex number by exp(i sign omega), where omega is the solid angle of
@@ -90,7 +90,8 @@ static void turn_by_solid_angle(double z[2], double sign, double x, double y,
  * representative: its solid angle times the larger of the weights of its middle and its
  * nearest point. */
 static double importance_when_near(const struct pp_target *target, struct pp_vec3 from,
-                                   struct pp_vec3 n, struct pp_brightness brightness,
+                                   struct pp_vec3 n,
+                                   const struct pp_brightness *brightness,
                                    double middle_weight)
 {
     struct pp_vec3 d = pp_vec_sub(target->corner, from);
@@ -114,7 +115,8 @@ static double importance_when_near(const struct pp_target *target, struct pp_vec
 }
 
 double pp_sample_polygon_importance(const struct pp_target *target, struct pp_vec3 from,
-                                    struct pp_vec3 n, struct pp_brightness brightness)
+                                    struct pp_vec3 n,
+                                    const struct pp_brightness *brightness)
 {
     if (!pp_sample_polygon_in_sight(target, from, n))
         return 0.0;
@@ -133,7 +135,7 @@ double pp_sample_polygon_importance(const struct pp_target *target, struct pp_ve
 /* Weight of this corner of a rectangle: cosine times brightness, per solid angle or, if
  * sampled by area, per area. */
 static double corner_value(const struct pp_polygon_sampler *sampler, struct pp_vec3 n,
-                           struct pp_brightness brightness, int right, int top)
+                           const struct pp_brightness *brightness, int right, int top)
 {
     const struct pp_target *target = sampler->target;
     struct pp_vec3 v = pp_vec_sub(pp_target_point(target, right ? target->width_m : 0.0,
@@ -147,7 +149,7 @@ static double corner_value(const struct pp_polygon_sampler *sampler, struct pp_v
 }
 
 static void weigh_corners(struct pp_polygon_sampler *sampler, struct pp_vec3 n,
-                          struct pp_brightness brightness)
+                          const struct pp_brightness *brightness)
 {
     double sum = 0.0;
     for (int top = 0; top < 2; top++)
@@ -366,21 +368,21 @@ static struct pp_direction_sample rectangle_sample(
 
 void pp_sample_polygon_init(struct pp_polygon_sampler *sampler,
                             const struct pp_target *target, struct pp_vec3 from,
-                            struct pp_vec3 n, struct pp_brightness brightness)
+                            struct pp_vec3 n, const struct pp_brightness *brightness)
 {
     sampler->target = target;
     sampler->from = from;
     sampler->facing = n;
     sampler->distance_m = pp_target_height(target, from);
-    sampler->bright = brightness.bright;
+    sampler->bright = brightness->bright;
     sampler->bright_share = 0.0;
     if (sampler->bright)
         sampler->bright_share =
             pp_sample_bright_share_of_target(sampler->bright, target, from, n);
     sampler->part.share = 0.0;
     if (target->rectangle) {
-        if (brightness.beyond_count > 0)
-            sampler->part = pp_sample_part_of(target, from, &brightness);
+        if (brightness->beyond_count > 0)
+            sampler->part = pp_sample_part_of(target, from, brightness);
         rectangle_init(sampler);
         weigh_corners(sampler, n, brightness);
         return;
@@ -467,18 +469,21 @@ double pp_sample_polygon_pdf(const struct pp_polygon_sampler *sampler,
     return pdf;
 }
 
-/* ---- with the bright parts of a sky ---- */
+/* ---- mixtures ---- */
 
-/* One sample of the mixture of sample_bright.h. */
+/* One sample of the mixtures of sample_part.h and sample_bright.h. */
 static struct pp_direction_sample mixed_sample(const struct pp_polygon_sampler *sampler,
                                                double u, double v)
 {
-    double share = sampler->bright_share;
-    struct pp_direction_sample sample = {.per_density = 0.0};
-    if (u >= share)
-        sample = shape_sample(sampler, (u - share) / (1.0 - share), v);
+    double part = sampler->part.share, bright = sampler->bright_share;
+    struct pp_direction_sample sample;
+    double rest = (u - part) / (1.0 - part);
+    if (u < part)
+        sample = at_point(sampler, pp_sample_part_draw(sampler, u / part, v));
+    else if (rest >= bright)
+        sample = shape_sample(sampler, (rest - bright) / (1.0 - bright), v);
     else if (!pp_sample_bright_draw_to_target(sampler->bright, sampler->target,
-                                              sampler->from, u / share, v, &sample))
+                                              sampler->from, rest / bright, v, &sample))
         return (struct pp_direction_sample){.per_density = 0.0};
     sample.per_density = 1.0 / pp_sample_polygon_pdf(sampler, sample.direction);
     return sample;
@@ -487,12 +492,6 @@ static struct pp_direction_sample mixed_sample(const struct pp_polygon_sampler *
 struct pp_direction_sample pp_sample_polygon_draw(
     const struct pp_polygon_sampler *sampler, double u, double v)
 {
-    double share = sampler->part.share, rest = (u - share) / (1.0 - share);
-    struct pp_direction_sample sample =
-        u < share ? at_point(sampler, pp_sample_part_draw(sampler, u / share, v))
-        : sampler->bright_share > 0.0 ? mixed_sample(sampler, rest, v)
-                                      : shape_sample(sampler, rest, v);
-    if (share > 0.0 && sample.distance_m > 0.0)
-        sample.per_density = 1.0 / pp_sample_polygon_pdf(sampler, sample.direction);
-    return sample;
+    bool mixed = sampler->part.share > 0.0 || sampler->bright_share > 0.0;
+    return mixed ? mixed_sample(sampler, u, v) : shape_sample(sampler, u, v);
 }

@@ -105,12 +105,13 @@ bool pp_sample_polygon_in_sight(const struct pp_target *target, struct pp_vec3 f
 /* Estimated light of the target at `from`, as a weight for the choice among several
  * targets; never 0 for a visible target. */
 double pp_sample_polygon_importance(const struct pp_target *target, struct pp_vec3 from,
-                                    struct pp_vec3 n, struct pp_brightness brightness);
+                                    struct pp_vec3 n,
+                                    const struct pp_brightness *brightness);
 
 /* The target must be in sight. n is the normal of the receiving surface. */
 void pp_sample_polygon_init(struct pp_polygon_sampler *sampler,
                             const struct pp_target *target, struct pp_vec3 from,
-                            struct pp_vec3 n, struct pp_brightness brightness);
+                            struct pp_vec3 n, const struct pp_brightness *brightness);
 
 /* A point of the target for two numbers in (0, 1), its direction and distance from
  * sampler->from, and 1/density in steradians. A direction to a bright part of the sky

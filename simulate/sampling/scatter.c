@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "simulate/sampling/bump_lobe.h"
 #include "simulate/sampling/lobe.h"
 
 /* Applies a law to each channel. */
@@ -192,6 +193,12 @@ void pp_scatter_init(struct pp_lobes *lobes, const struct pp_material *material,
     }
 }
 
+static struct pp_bump_lobe bumps_of(const struct pp_lobes *lobes)
+{
+    return (struct pp_bump_lobe){lobes->bump_slope, lobes->bump_facet, lobes->frame.z,
+                                 lobes->eye};
+}
+
 /* Tangent of the least slope; smaller slopes do not count. */
 static const double LEAST_SLOPE = 1e-6;
 
@@ -206,9 +213,11 @@ void pp_scatter_add_bumps(struct pp_lobes *lobes, const struct pp_material *mate
     if (!(pp_vec_length(slope) > LEAST_SLOPE))
         return;
     lobes->has_bumps = true;
-    lobes->bumps = (struct pp_bump_lobe){slope, facet, n, lobes->eye};
+    lobes->bump_slope = slope;
+    lobes->bump_facet = facet;
+    const struct pp_bump_lobe bumps = bumps_of(lobes);
     lobes->share[PP_LOBE_DIFFUSE] = pp_rgb_grey(0.0);
-    lobes->share[PP_LOBE_GLOSS] = pp_bump_lobe_albedo(&lobes->bumps);
+    lobes->share[PP_LOBE_GLOSS] = pp_bump_lobe_albedo(&bumps);
 }
 
 struct pp_rgb pp_scatter_gloss_brdf(const struct pp_lobes *lobes, struct pp_vec3 o)
@@ -217,8 +226,10 @@ struct pp_rgb pp_scatter_gloss_brdf(const struct pp_lobes *lobes, struct pp_vec3
     struct pp_rgb share = lobes->share[through ? PP_LOBE_THROUGH_GLOSS : PP_LOBE_GLOSS];
     if (pp_rgb_is_black(share))
         return share;
-    if (lobes->has_bumps)
-        return pp_bump_lobe_brdf(&lobes->bumps, o);
+    if (lobes->has_bumps) {
+        const struct pp_bump_lobe bumps = bumps_of(lobes);
+        return pp_bump_lobe_brdf(&bumps, o);
+    }
     if (lobes->scatter) {
         struct pp_vec3 out = in_pane_axes(&lobes->frame, lobes->is_outside, lobes->eye);
         struct pp_vec3 in =
@@ -240,8 +251,10 @@ double pp_scatter_gloss_pdf(const struct pp_lobes *lobes, struct pp_vec3 o)
 {
     if (lobes->scatter)
         return pane_pdf(lobes, o);
-    if (lobes->has_bumps)
-        return pp_bump_lobe_pdf(&lobes->bumps, o);
+    if (lobes->has_bumps) {
+        const struct pp_bump_lobe bumps = bumps_of(lobes);
+        return pp_bump_lobe_pdf(&bumps, o);
+    }
     o = pp_frame_in(&lobes->frame, o);
     struct pp_vec3 eye = pp_frame_in(&lobes->frame, lobes->eye);
     if (lobes->rough)
@@ -292,8 +305,9 @@ static bool sample_rough(const struct pp_lobes *lobes, double u, double v,
 static bool sample_bumps(const struct pp_lobes *lobes, double u, double v,
                          struct pp_vec3 *o, struct pp_rgb *factor)
 {
+    const struct pp_bump_lobe bumps = bumps_of(lobes);
     struct pp_rgb light;
-    if (!pp_bump_lobe_sample(&lobes->bumps, u, v, o, &light))
+    if (!pp_bump_lobe_sample(&bumps, u, v, o, &light))
         return false;
     *factor = over_gloss(lobes, light);
     return true;

@@ -14,7 +14,6 @@
 #include "model/geometry/frame.h"
 #include "model/light/material.h"
 #include "model/light/rgb.h"
-#include "simulate/sampling/bump_lobe.h"
 #include "simulate/sampling/gloss.h"
 #include "simulate/sampling/rough_lobe.h"
 
@@ -44,7 +43,8 @@ struct pp_lobes {
     const struct pp_rough_surface *rough; /* NULL: none; not owned */
     bool rough_is_grey;
     bool has_bumps;
-    struct pp_bump_lobe bumps;             /* only with has_bumps */
+    struct pp_vec3 bump_slope; /* as in bump_lobe.h; only with has_bumps */
+    struct pp_rgb bump_facet;
     const struct pp_pane_scatter *scatter; /* BTDF of the lobe PP_LOBE_THROUGH_GLOSS;
                                             * NULL: a gloss; not owned */
     bool is_outside;                       /* as in the material */

@@ -94,8 +94,9 @@ struct coarse_viewer {
 static bool sees_openings(struct coarse_viewer *viewer)
 {
     for (int i = 0; i < viewer->coarse->count; i++)
-        viewer->total += viewer->share[i] = pp_sample_polygon_importance(
-            &viewer->coarse->list[i], viewer->from, viewer->normal, viewer->brightness);
+        viewer->total += viewer->share[i] =
+            pp_sample_polygon_importance(&viewer->coarse->list[i], viewer->from,
+                                         viewer->normal, &viewer->brightness);
     return viewer->total > 0.0;
 }
 
@@ -111,7 +112,7 @@ static double aimed_pdf(const struct coarse_viewer *viewer, struct pp_vec3 to)
             || !pp_target_meets_rectangle(target, viewer->from, to, &there))
             continue;
         pp_sample_polygon_init(&sampler, target, viewer->from, viewer->normal,
-                               viewer->brightness);
+                               &viewer->brightness);
         pdf += viewer->share[i] / viewer->total * pp_sample_polygon_pdf(&sampler, to);
     }
     return pdf;
@@ -124,18 +125,19 @@ static struct pp_vec3 aimed(const struct coarse_viewer *viewer, const double u[2
     int chosen = pp_sample_discrete(viewer->share, viewer->coarse->count,
                                     choice * viewer->total);
     pp_sample_polygon_init(&sampler, &viewer->coarse->list[chosen], viewer->from,
-                           viewer->normal, viewer->brightness);
+                           viewer->normal, &viewer->brightness);
     return pp_sample_polygon_draw(&sampler, u[0], u[1]).direction;
 }
 
 bool pp_coarse_openings_draw(const struct pp_coarse_openings *coarse,
-                             struct pp_brightness brightness, struct pp_vec3 from,
-                             const struct pp_frame *frame, double throughput,
-                             const double u[3], struct pp_vec3 *to, double *weight)
+                             const struct pp_brightness *brightness,
+                             struct pp_vec3 from, const struct pp_frame *frame,
+                             double throughput, const double u[3], struct pp_vec3 *to,
+                             double *weight)
 {
     double q = fmax(LEAST_AIMED, fmin(MOST_AIMED, 1.0 - throughput));
     struct coarse_viewer viewer = {
-        .coarse = coarse, .brightness = brightness, .from = from, .normal = frame->z};
+        .coarse = coarse, .brightness = *brightness, .from = from, .normal = frame->z};
     viewer.brightness.beyond_count = 0;
     if (coarse->count == 0 || !is_inside(&coarse->inside, from)
         || !sees_openings(&viewer))

@@ -44,8 +44,9 @@ enum pp_status pp_coarse_openings_find(struct pp_coarse_openings *coarse,
  * divided by that of the mixture. False, without a direction, if the point is not in
  * the coarse model or no opening is in sight. */
 bool pp_coarse_openings_draw(const struct pp_coarse_openings *coarse,
-                             struct pp_brightness brightness, struct pp_vec3 from,
-                             const struct pp_frame *frame, double throughput,
-                             const double u[3], struct pp_vec3 *to, double *weight);
+                             const struct pp_brightness *brightness,
+                             struct pp_vec3 from, const struct pp_frame *frame,
+                             double throughput, const double u[3], struct pp_vec3 *to,
+                             double *weight);
 
 #endif

@@ -214,7 +214,7 @@ bool pp_emitters_sampler_init(struct pp_emitter_sampler *sampler,
         if (!pp_sample_polygon_in_sight(&emitter->target, from, n))
             return false;
         pp_sample_polygon_init(&sampler->plane, &emitter->target, from, n,
-                               (struct pp_brightness){.ground = 1.0});
+                               &(struct pp_brightness){.ground = 1.0});
         return true;
     case PP_EMITTER_SPHERE:
         return init_sphere(sampler, n);

@@ -58,9 +58,10 @@ struct pp_openings_shares {
 
 /* Viewer of openings. */
 struct pp_openings_viewer {
-    struct pp_brightness brightness; /* estimated brightness outside */
-    struct pp_vec3 point, normal;    /* on one side of a surface */
-    bool mouths;                     /* true: targets are mouths of niches, not panes */
+    const struct pp_brightness
+        *brightness;              /* estimated brightness outside; not owned */
+    struct pp_vec3 point, normal; /* on one side of a surface */
+    bool mouths;                  /* true: targets are mouths of niches, not panes */
 };
 
 /* Chooses an opening by u in [0, 1), in proportion to its possible light at the viewer.

@@ -160,10 +160,11 @@ static double pane_importance(const struct pp_light_scene *scene,
 {
     if (!position)
         return fmin(1.0, pane->target.area_m2 / scene->plane_area_m2);
-    struct pp_brightness bright = {.ground = 1.0, .gradation = PP_GRADED_SKY_OVERCAST};
+    const struct pp_brightness bright = {.ground = 1.0,
+                                         .gradation = PP_GRADED_SKY_OVERCAST};
     return fmin(1.0, pp_graded_sky_horizon(PP_GRADED_SKY_OVERCAST) / PP_PI
                          * pp_sample_polygon_importance(&pane->target, *position,
-                                                        normal, bright));
+                                                        normal, &bright));
 }
 
 /* True if a ray from the point to the opening may point upwards (rising) or downwards

@@ -33,7 +33,7 @@ bool pp_light_images_view(struct pp_radiance_state *state,
     double u[3], probability, pdf;
     int vertex = vertex_of(shading);
     const struct pp_image_viewer viewer = {shading->point, shading->normal,
-                                           state->environment->brightness};
+                                           &state->environment->brightness};
     struct pp_light_ray ray = pp_path_vertex_shadow_ray(shading, shading->normal);
     struct pp_light_hit hit;
     pp_sobol_sequence_draw(&state->sequence, state->index, vertex, 3, u);
@@ -112,7 +112,7 @@ bool pp_light_images_in_glass(struct pp_radiance_state *state,
         return false;
     int image =
         pp_glass_images_sample(scene, view, shading->point, shading->normal,
-                               state->environment->brightness, u, &ray.to, &pdf);
+                               &state->environment->brightness, u, &ray.to, &pdf);
     if (image < 0)
         return false;
     double cosine = pp_vec_dot(shading->normal, ray.to);

@@ -109,7 +109,7 @@ bool pp_path_scatter_diffuse(const struct pp_radiance_state *state,
     double weight;
     if (space != PP_OUTDOORS || state->scene->coarse.count == 0
         || !pp_coarse_openings_draw(
-            &state->scene->coarse, state->environment->brightness, from, frame,
+            &state->scene->coarse, &state->environment->brightness, from, frame,
             pp_rgb_most(path->throughput), u, &path->ray.to, &weight))
         weight = pp_sample_bright_lobe(bright_for(state, path, space), frame->x,
                                        frame->y, frame->z, u[0], u[1], &path->ray.to);

@@ -91,7 +91,7 @@ static inline double pp_path_vertex_image_weight(const struct pp_radiance_state 
     if (!pp_path_vertex_images(state) || arrival->reflector < 0)
         return 1.0;
     const struct pp_image_viewer viewer = {arrival->from, arrival->off,
-                                           state->environment->brightness};
+                                           &state->environment->brightness};
     return pp_path_vertex_mis(arrival->pdf,
                               pp_window_images_pdf(state->scene, arrival->reflector,
                                                    window, &viewer, arrival->to));

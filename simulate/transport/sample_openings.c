@@ -45,7 +45,7 @@ static const struct pp_polygon_sampler *sampler_of(
     if (!pp_sample_polygon_in_sight(target, shading->point, shading->normal))
         return NULL;
     pp_sample_polygon_init(sampler, target, shading->point, shading->normal,
-                           state->environment->brightness);
+                           &state->environment->brightness);
     return sampler;
 }
 
@@ -390,7 +390,7 @@ bool pp_sample_openings_next(struct pp_radiance_state *state,
         draw_opening_numbers(state, sampling, u);
         sampling->direction++;
         if (!sampling->all) {
-            const struct pp_openings_viewer viewer = {state->environment->brightness,
+            const struct pp_openings_viewer viewer = {&state->environment->brightness,
                                                       shading->point, shading->normal,
                                                       shading->niches};
             sample->opening = pp_openings_choose(state->scene, &viewer, &state->shares,

@@ -108,7 +108,7 @@ static bool aim_at_pane(struct year_path *path, const struct pp_lit_point *at,
     const struct pp_light_scene *scene = walk->scene;
     if (scene->pane_count == 0 || at->space == PP_OUTDOORS)
         return false;
-    const struct pp_openings_viewer viewer = {walk->environment->brightness, at->point,
+    const struct pp_openings_viewer viewer = {&walk->environment->brightness, at->point,
                                               at->normal, false};
     double u[3], probability;
     pp_path_walk_draw(walk, 3, u);

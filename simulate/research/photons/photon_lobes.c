@@ -7,12 +7,13 @@
 struct pp_lobes pp_photon_lobes_at(const struct pp_photon_state *state,
                                    const struct pp_light_hit *hit, struct pp_vec3 to)
 {
-    struct pp_lobes lobes = {.frame = {.z = hit->normal},
-                             .eye = pp_vec_scale(to, -1.0)};
+    struct pp_lobes lobes;
     if (hit->part >= 0) {
         pp_light_scene_parts_lobes(state->scene, hit, to, &lobes);
         return lobes;
     }
+    lobes =
+        (struct pp_lobes){.frame = {.z = hit->normal}, .eye = pp_vec_scale(to, -1.0)};
     double ground = pp_outside_light_ground(&state->environment->light);
     lobes.share[PP_LOBE_DIFFUSE] = pp_rgb_grey(ground);
     pp_lobe_frame(hit->normal, &lobes.frame.x, &lobes.frame.y);

@@ -179,7 +179,7 @@ static bool seen_part(const struct pp_light_scene *scene,
 /* Importance of the image, with the reflectance at its middle. */
 static double image_importance(const struct pp_light_scene *scene,
                                const struct pp_glass_view *view,
-                               struct pp_brightness brightness, int index)
+                               const struct pp_brightness *brightness, int index)
 {
     int pane = scene->glass_images[index].glass;
     const struct pp_target *glass = &scene->panes[pane].target;
@@ -200,7 +200,7 @@ static double image_importance(const struct pp_light_scene *scene,
 
 static void look_from(const struct pp_light_scene *scene, struct pp_glass_view *view,
                       struct pp_vec3 point, struct pp_vec3 normal,
-                      struct pp_brightness brightness)
+                      const struct pp_brightness *brightness)
 {
     view->point = point;
     view->normal = normal;
@@ -213,7 +213,8 @@ static void look_from(const struct pp_light_scene *scene, struct pp_glass_view *
 /* The view of a visible image: the stored one, or a newly calculated one. */
 static struct pp_glass_sight *sight_of(const struct pp_light_scene *scene,
                                        struct pp_glass_view *view,
-                                       struct pp_brightness brightness, int index)
+                                       const struct pp_brightness *brightness,
+                                       int index)
 {
     const struct pp_target *glass =
         &scene->panes[scene->glass_images[index].glass].target;
@@ -232,8 +233,9 @@ static struct pp_glass_sight *sight_of(const struct pp_light_scene *scene,
 
 int pp_glass_images_sample(const struct pp_light_scene *scene,
                            struct pp_glass_view *view, struct pp_vec3 point,
-                           struct pp_vec3 normal, struct pp_brightness brightness,
-                           const double u[3], struct pp_vec3 *to, double *pdf)
+                           struct pp_vec3 normal,
+                           const struct pp_brightness *brightness, const double u[3],
+                           struct pp_vec3 *to, double *pdf)
 {
     if (!pp_vec_same(view->point, point) || !pp_vec_same(view->normal, normal))
         look_from(scene, view, point, normal, brightness);

@@ -54,7 +54,8 @@ struct pp_glass_view {
  * image's number; -1: none is visible, or the direction misses the image. */
 int pp_glass_images_sample(const struct pp_light_scene *scene,
                            struct pp_glass_view *view, struct pp_vec3 point,
-                           struct pp_vec3 normal, struct pp_brightness brightness,
-                           const double u[3], struct pp_vec3 *to, double *pdf);
+                           struct pp_vec3 normal,
+                           const struct pp_brightness *brightness, const double u[3],
+                           struct pp_vec3 *to, double *pdf);
 
 #endif

@@ -30,7 +30,8 @@ enum pp_status pp_window_images_find(struct pp_light_scene *scene,
  * coordinates. */
 struct pp_image_viewer {
     struct pp_vec3 point, normal;
-    struct pp_brightness brightness; /* estimated brightness outside */
+    const struct pp_brightness
+        *brightness; /* estimated brightness outside; not owned */
 };
 
 /* Chooses an image by u in [0, 1), in proportion to its possible light at the viewer.

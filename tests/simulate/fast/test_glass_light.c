@@ -235,7 +235,7 @@ static void every_direction_to_an_image_ends_in_its_opening(void **state)
         struct pp_vec3 to;
         double pdf;
         int image = pp_glass_images_sample(scene, &view, point, at->normal,
-                                           environment->brightness, u, &to, &pdf);
+                                           &environment->brightness, u, &to, &pdf);
         assert_true(image >= 0 && pdf > 0.0);
         const struct pp_target *glass =
             &scene->panes[scene->glass_images[image].glass].target;

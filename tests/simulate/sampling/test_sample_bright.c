@@ -221,8 +221,8 @@ static void a_window_gives_the_same_light_with_directions_to_the_sun(void **stat
             uint32_t count = way ? 1024 : 1 << 17;
             pp_sample_polygon_init(
                 &sampler, &window, from, up,
-                (struct pp_brightness){.ground = 0.2,
-                                       .bright = way ? sunny.bright : NULL});
+                &(struct pp_brightness){.ground = 0.2,
+                                        .bright = way ? sunny.bright : NULL});
             for (uint32_t i = 0; i < count; i++) {
                 double u[2];
                 pp_sobol_sequence_draw(&sequence, i, 0, 2, u);

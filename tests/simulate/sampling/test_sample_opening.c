@@ -59,7 +59,7 @@ static double solid_angle(double x0, double x1, double z0, double z1, double d)
 static const struct pp_brightness plain = {.ground = 0.2, .gradation = 2.0};
 
 /* Solid angle and configuration integral by 2^m samples. */
-static void sample_sums_under(struct pp_brightness brightness,
+static void sample_sums_under(const struct pp_brightness *brightness,
                               const struct pp_target *target, struct pp_vec3 from,
                               struct pp_vec3 n, int m, double *solid, double *facing)
 {
@@ -91,7 +91,7 @@ static void sample_sums_under(struct pp_brightness brightness,
 static void sample_sums(const struct pp_target *target, struct pp_vec3 from,
                         struct pp_vec3 n, int m, double *solid, double *facing)
 {
-    sample_sums_under(plain, target, from, n, m, solid, facing);
+    sample_sums_under(&plain, target, from, n, m, solid, facing);
 }
 
 static const struct pp_vec3 up = {0.0, 0.0, 1.0};
@@ -132,7 +132,7 @@ static void a_long_window_is_guessed_at_near_its_end(void **state)
     for (double x = 4.5; x < 9.6; x += 0.3)
         for (double y = 0.05; y < 5.0; y *= 2.0) {
             struct pp_vec3 p = {x, y, 1.1};
-            double guess = pp_sample_polygon_importance(&target, p, n, even);
+            double guess = pp_sample_polygon_importance(&target, p, n, &even);
             double ratio = guess / lambert(corners, 4, p, n);
             low = fmin(low, ratio);
             high = fmax(high, ratio);
@@ -199,9 +199,9 @@ static void an_opening_beyond_a_window_leaves_its_solid_angle_alone(void **state
         struct pp_polygon_sampler sampler;
         struct pp_vec3 p = points[i];
         double solid, facing;
-        pp_sample_polygon_init(&sampler, &target, p, up, brightness);
+        pp_sample_polygon_init(&sampler, &target, p, up, &brightness);
         assert_true(i < 2 ? sampler.part.share > 0.05 : sampler.part.share == 0.0);
-        sample_sums_under(brightness, &target, p, up, 16, &solid, &facing);
+        sample_sums_under(&brightness, &target, p, up, 16, &solid, &facing);
         assert_relative(
             solid, solid_angle(0.2 - p.x, 2.8 - p.x, 0.9 - p.z, 2.3 - p.z, p.y), 1e-3);
     }
@@ -217,7 +217,7 @@ static void an_opening_beyond_is_projected_to_the_window(void **state)
     struct pp_brightness brightness = {.beyond = &beyond, .beyond_count = 1};
     struct pp_polygon_sampler sampler;
     struct pp_vec3 p = {1.1, 1.0, 0.2};
-    pp_sample_polygon_init(&sampler, &target, p, up, brightness);
+    pp_sample_polygon_init(&sampler, &target, p, up, &brightness);
     /* x from 1.1 - 0.3/2.8 to 1.1 + 1.0/2.8, counted from x = 2.8 to the left; z from
      * 0.2 + 4.8/3.7 to 0.2 + 4.8/2.8, counted from 0.9. */
     assert_near(sampler.part.x0, 2.8 - (1.1 + 1.0 / 2.8), 1e-12);
@@ -238,8 +238,9 @@ static void density_is_right_in_every_part_of_a_rectangle(void **state)
         struct pp_sobol_sequence sequence;
         pp_sobol_sequence_init(&sequence, &sobol, 42);
         struct pp_polygon_sampler sampler;
-        pp_sample_polygon_init(&sampler, &target, p, up,
-                               (struct pp_brightness){.ground = 0.2, .gradation = 2.0});
+        pp_sample_polygon_init(
+            &sampler, &target, p, up,
+            &(struct pp_brightness){.ground = 0.2, .gradation = 2.0});
         enum { N = 1 << 20 };
         for (uint32_t i = 0; i < N; i++) {
             double u[2];

@@ -66,7 +66,7 @@ static void directions_meet_openings_as_often_as_the_cosine_lobe(void **state)
             double u[3], weight;
             struct pp_vec3 to, there;
             pp_sobol_sequence_draw(&sequence, i, 0, 3, u);
-            assert_true(pp_coarse_openings_draw(&coarse, brightness, from, &frame,
+            assert_true(pp_coarse_openings_draw(&coarse, &brightness, from, &frame,
                                                 0.4 * k, u, &to, &weight));
             all += weight / N;
             for (int j = 0; j < 2; j++)
@@ -93,11 +93,11 @@ static void openings_attract_no_directions_from_outside_or_from_behind(void **st
         {1.0, 0.0, 0.0}, {0.0, -1.0, 0.0}, {0.0, 0.0, -1.0}};
     struct pp_vec3 to;
     double weight;
-    assert_true(pp_coarse_openings_draw(&coarse, brightness, pp_vec(1.3, 2.1, 0.0),
+    assert_true(pp_coarse_openings_draw(&coarse, &brightness, pp_vec(1.3, 2.1, 0.0),
                                         &upward, 0.5, u, &to, &weight));
-    assert_false(pp_coarse_openings_draw(&coarse, brightness, pp_vec(5.3, 2.1, 0.0),
+    assert_false(pp_coarse_openings_draw(&coarse, &brightness, pp_vec(5.3, 2.1, 0.0),
                                          &upward, 0.5, u, &to, &weight));
-    assert_false(pp_coarse_openings_draw(&coarse, brightness, pp_vec(1.3, 2.1, 5.0),
+    assert_false(pp_coarse_openings_draw(&coarse, &brightness, pp_vec(1.3, 2.1, 5.0),
                                          &downward, 0.5, u, &to, &weight));
 }
 

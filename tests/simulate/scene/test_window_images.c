@@ -24,8 +24,9 @@ static void the_density_of_a_direction_is_that_with_which_it_is_drawn(void **sta
                                                     &(struct pp_outside_sun){0}, NULL),
                      PP_OK);
     assert_int_equal(scene->window_image_count, 3);
+    const struct pp_brightness brightness = {.ground = 0.2, .gradation = 2.0};
     const struct pp_image_viewer viewer = {
-        {0.3, -1.5, 1.4}, {0.0, 0.0, -1.0}, {.ground = 0.2, .gradation = 2.0}};
+        {0.3, -1.5, 1.4}, {0.0, 0.0, -1.0}, &brightness};
     double least = INFINITY;
     int drawn = 0;
     for (int k = 0; k < 300; k++) {
