@@ -136,6 +136,47 @@ factors lane-whole.xml --error 0.8% >whole
 factors lane-office.xml --error 0.8% >nested
 check "the wall around its window reflects like the facade" agree nested whole
 
+# Two facades in one plane, on the wings of a U: the wall of the room, in the left wing, reflects
+# like the facade of that wing, whichever comes first.
+u='<plan height="3"><vertex x="0" y="0"/><vertex x="4" y="0"/><vertex x="4" y="2"/>
+    <vertex x="6" y="2"/><vertex x="6" y="0"/><vertex x="10" y="0"/><vertex x="10" y="5"/>
+    <vertex x="0" y="5"/></plan><window name="w" wall="1" left="1" sill="0.9" width="2"
+    height="1.5" glazing="none"/><block x="-17" y="-10" width="40" depth="8" height="8"
+    reflectance="0.9"/>'
+left='<facade wall="1" left="17" right="0" up="3" down="0" reflectance="0.9"/>'
+right='<facade wall="5" left="0" right="13" up="3" down="0" reflectance="0.1"/>'
+wing='<plan width="4" depth="5" height="3"/><window name="w" wall="south" left="1" sill="0.9"
+    width="2" height="1.5" glazing="none"/>'$points
+room left-right '' "$u$left$right"
+room right-left '' "$u$right$left"
+room wing 'within="left-right.xml"' "$wing"
+factors wing.xml --error 3% >one
+room wing 'within="right-left.xml"' "$wing"
+factors wing.xml --error 3% >other
+check "the order of facades does not matter" sh -c "test -s one && cmp one other"
+
+# A recess and a bay of the room in the plane of the facade, each with its own window.
+room front '' "<plan width='10' depth='5' height='3'/><window name='w' wall='south' left='7'
+    sill='0.9' width='2' height='1.5' glazing='none'/>
+    <facade wall='south' left='5' right='5' up='3' down='0' reflectance='0.5'/>"
+stepped() { # Y of the step
+    echo "<plan height='3'><vertex x='0' y='0'/><vertex x='3' y='0'/><vertex x='3' y='$1'/>
+        <vertex x='6' y='$1'/><vertex x='6' y='0'/><vertex x='10' y='0'/><vertex x='10' y='5'/>
+        <vertex x='0' y='5'/></plan><window name='w' wall='5' left='1' sill='0.9' width='2'
+        height='1.5' glazing='none'/><window name='own' wall='3' left='0.5' sill='0.9' width='2'
+        height='1.5' glazing='none'/><point x='4.5' y='2'/>"
+}
+room recess 'within="front.xml"' "$(stepped 1)"
+room bay 'within="front.xml"' "$(stepped -1.5)"
+room recess-alone '' "$(stepped 1)"
+room bay-alone '' "$(stepped -1.5)"
+open_front() { # NAME LEAST
+    { factors "$1-alone.xml"; factors "$1.xml"; } | awk -v least="$2" '
+        { print; df[NR] = $1 } END { exit !(NR == 2 && df[2] > least * df[1] && df[2] < df[1]) }'
+}
+check "the facade leaves the front of a recess open" open_front recess 0.7
+check "and does not cut a bay" open_front bay 0.9
+
 check "a street is no well" shows "average-df-well: the coarse model is in the place" \
     df --methods average-df-well street-office.xml
 

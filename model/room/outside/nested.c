@@ -12,6 +12,7 @@
 #include "model/geometry/tolerance.h"
 #include "model/room/build/free_surfaces.h"
 #include "model/room/face_less_openings.h"
+#include "model/room/outside/nested_gap.h"
 
 /* Matched windows may differ in size and place by this much (m): drawings of different
  * scales agree to a centimetre. */
@@ -255,63 +256,17 @@ static enum pp_status add_coarse_face(const struct nesting *n, int face,
     return status;
 }
 
-/* ---- facades in the plane of a wall ---- */
-
-/* True if the face has the bearing of the wall, and meets its plane. */
-static bool meets_wall(const struct pp_polygon *face, const struct pp_polygon *wall)
-{
-    double low = INFINITY, high = -INFINITY;
-    for (int k = 0; k < face->count; k++) {
-        double height = pp_polygon_height(wall, face->vertices[k]);
-        low = fmin(low, height);
-        high = fmax(high, height);
-    }
-    return pp_vec_dot(face->normal, wall->normal) >= cos(same_bearing_rad)
-           && low < PP_SET_OFF_M && high > -PP_SET_OFF_M;
-}
-
-/* If the face of the room is in the plane of the facade, gives it the reflectance of the
- * facade, and subtracts it from the region. */
-static enum pp_status fill_gap(struct pp_region *gap, const struct nesting *n,
-                               const struct pp_facade *facade,
-                               const struct pp_face_axes *axes, struct pp_surface *face,
-                               struct pp_error *err)
-{
-    struct pp_polygon carried; /* the face in the axes of the coarse model */
-    struct pp_region filled = {0};
-    enum pp_status status =
-        pp_polygon_of(&carried, face->outline.vertices, face->outline.count, err);
-    if (status != PP_OK)
-        return status;
-    for (int k = 0; k < carried.count; k++)
-        carried.vertices[k] = pp_placement_to_room(&n->place, carried.vertices[k]);
-    pp_polygon_measure(&carried);
-    if (meets_wall(&carried, &n->coarse->surfaces[facade->face].outline)) {
-        face->back = facade->reflectance;
-        status = pp_face_less_openings(&filled, n->r->clipper, axes, &carried, NULL, -1,
-                                       err);
-        if (status == PP_OK)
-            status = pp_clipper_take_away(n->r->clipper, gap, &filled, err);
-    }
-    pp_region_clear(&filled);
-    pp_polygon_clear(&carried);
-    return status;
-}
-
-/* A facade in the plane of a wall has a gap for that wall. The walls of the room, which
- * stand in its place, fill the gap; the rest of the gap is added. */
+/* Adds the part of the gap of a facade that is beside the room. */
 static enum pp_status close_gap(const struct nesting *n, const struct pp_facade *facade,
                                 struct pp_error *err)
 {
-    const struct pp_polygon *wall = &n->coarse->surfaces[facade->face].outline;
+    const struct pp_face_axes axes =
+        wall_axes(&n->coarse->surfaces[facade->face].outline);
     const struct pp_surface look = {.front = facade->reflectance,
                                     .back = facade->reflectance};
-    const struct pp_face_axes axes = wall_axes(wall);
     struct pp_region gap;
-    enum pp_status status = pp_face_less_openings(&gap, n->r->clipper, &axes, wall,
-                                                  n->coarse, facade->face, err);
-    for (int i = 0; i < n->r->world->face_count && status == PP_OK; i++)
-        status = fill_gap(&gap, n, facade, &axes, &n->r->world->surfaces[i], err);
+    enum pp_status status =
+        pp_nested_gap_find(&gap, n->r, n->coarse, &n->place, facade, &axes, err);
     if (status == PP_OK)
         status = add_coarse_region(n, &look, &gap, &axes, err);
     pp_region_clear(&gap);
