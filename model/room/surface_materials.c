@@ -98,7 +98,8 @@ struct pp_material pp_surface_materials_matt(const struct pp_world *world, int i
     material.roughness[0] = material.roughness[1] = 0.0;
     material.grain = pp_vec(0.0, 0.0, 0.0);
     material.rough = NULL;
-    material.bumps = NULL;
+    if (material.bumps) /* the mean reflectance replaces both formulae */
+        material.bumps = material.surface_pattern = NULL;
     material.pattern_scale = pp_rgb_grey(pp_rgb_luminance(material.pattern_scale));
     return material;
 }

@@ -162,8 +162,11 @@ static void append_means(const struct pp_world *world,
     pp_text_append(text, TEXT_BYTES, ", %.3g ", low);
     if (high > low)
         pp_text_append(text, TEXT_BYTES, "to %.3g ", high);
+    bool even = strcmp(material->pattern.text, "1") == 0;
     pp_text_append(text, TEXT_BYTES, "on average with its %s",
-                   material->has_bumps ? "bumps" : "pattern");
+                   !material->has_bumps ? "pattern"
+                   : even               ? "bumps"
+                                        : "pattern and bumps");
 }
 
 /* Passes on each material of the room file: its reflectance, its mean reflectance with

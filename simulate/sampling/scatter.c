@@ -210,7 +210,8 @@ void pp_scatter_add_bumps(struct pp_lobes *lobes, const struct pp_material *mate
     slope = pp_vec_along(slope, -pp_vec_dot(slope, n), n);
     struct pp_rgb facet = pp_material_facet_at(material, point);
     lobes->share[PP_LOBE_DIFFUSE] = facet;
-    if (!(pp_vec_length(slope) > LEAST_SLOPE))
+    double steepness = pp_vec_length(slope);
+    if (!(steepness > LEAST_SLOPE && isfinite(steepness)))
         return;
     lobes->has_bumps = true;
     lobes->bump_slope = slope;

@@ -3,8 +3,9 @@
  * Diffuse lobes are Lambertian; glosses are those of gloss.h. The lobe of a transmitted
  * gloss is the same, with its direction mirrored in the surface. The spike of a
  * physically rough surface is a mirror lobe; the rest of its reflection replaces the
- * gloss. The reflection of a matt surface with bumps replaces the gloss too. For a scattering pane, the BTDF (model/light/pane_scatter.h) replaces the
- * transmitted gloss.
+ * gloss. The reflection of a matt surface with bumps replaces the gloss too. For a
+ * scattering pane, the BTDF (model/light/pane_scatter.h) replaces the transmitted
+ * gloss.
  */
 #ifndef PP_SIMULATE_SAMPLING_SCATTER_H
 #define PP_SIMULATE_SAMPLING_SCATTER_H

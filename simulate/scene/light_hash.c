@@ -43,7 +43,7 @@ static uint64_t stir_surface_pattern(uint64_t hash, const struct pp_material *ma
 {
     hash = stir_text(hash, material->surface_pattern->text);
     if (material->bumps)
-        hash = stir_text(hash, material->bumps->text);
+        hash = stir_text(pp_hash(hash, 0), material->bumps->text);
     struct pp_rgb scale = material->pattern_scale;
     hash = stir(stir(stir(hash, scale.r), scale.g), scale.b);
     return stir(hash, material->pattern_mean);

@@ -141,8 +141,8 @@ static inline enum pp_space pp_light_scene_parts_space(
                    : hit->space;
 }
 
-/* Diffuse reflectance at the hit: local, if the material has a pattern; the mean over
- * the surface, if it has bumps. The hit's point is measured from the scene's centre. */
+/* Diffuse reflectance at the hit: local, if the material has a pattern. Not for
+ * materials with bumps. The hit's point is measured from the scene's centre. */
 static inline struct pp_rgb pp_light_scene_parts_diffuse(
     const struct pp_light_scene *scene, const struct pp_light_hit *hit)
 {

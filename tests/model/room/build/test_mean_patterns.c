@@ -1,5 +1,6 @@
 /* test_mean_patterns.c - reflectances of surfaces with a pattern: the means of their
  * visible parts. */
+#include "model/light/rough/bump_facets.h"
 #include "model/room/surface_materials.h"
 #include "tests/lib/room_of.h"
 
@@ -115,6 +116,29 @@ static void a_pattern_leaves_the_gloss_of_a_rough_material(void **state)
                 1e-5);
 }
 
+/* Half of the floor is black; the other half reflects what its bumps leave of 0.8. A
+ * calculation without bumps has that mean everywhere, also on black squares: otherwise
+ * the limit at 0 would make the mean brighter. */
+static void without_its_bumps_a_floor_has_the_mean_everywhere(void **state)
+{
+    (void)state;
+    struct pp_world *world =
+        pp_test_world(START "<material name='a' diffuse='0.8' bump='x' "
+                            "pattern='mod(floor(x / 0.3) + floor(y / 0.3), 2)'/>"
+                            "<finishes floor='#a'/>" WINDOW "</room>");
+    int floor = (int)(face_of(world, NULL) - world->surfaces);
+    double mean = pp_bump_facets_reflectance(1.0, 0.8) / 2.0;
+    assert_near(world->surfaces[floor].front, mean, 2e-4);
+    struct pp_material bumpy = pp_surface_materials_of(world, floor, true),
+                       matt = pp_surface_materials_matt(world, floor, true);
+    assert_near(pp_material_facet_at(&bumpy, pp_vec(0.1, 0.4, 0.0)).g, 0.8, 1e-12);
+    assert_near(pp_material_facet_at(&bumpy, pp_vec(0.1, 0.1, 0.0)).g, 0.0, 1e-12);
+    assert_null(matt.bumps);
+    assert_near(pp_material_diffuse_at(&matt, pp_vec(0.1, 0.4, 0.0)).g, mean, 2e-4);
+    assert_near(pp_material_diffuse_at(&matt, pp_vec(0.1, 0.1, 0.0)).g, mean, 2e-4);
+    pp_world_destroy(world);
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
@@ -123,6 +147,7 @@ TEST_FILE
         cmocka_unit_test(parts_behind_openings_and_doors_do_not_count),
         cmocka_unit_test(a_constant_pattern_is_a_plain_reflectance),
         cmocka_unit_test(a_pattern_leaves_the_gloss_of_a_rough_material),
+        cmocka_unit_test(without_its_bumps_a_floor_has_the_mean_everywhere),
     };
     add_tests(tests, NULL, NULL);
 }
