@@ -22,11 +22,8 @@ static bool meets_target(const struct pp_target *target, struct pp_vec3 from,
     sample->direction = to;
     sample->distance_m = pp_target_height(target, from) / toward;
     sample->point = pp_vec_along(from, sample->distance_m, to);
-    if (target->rectangle) {
-        struct pp_vec3 in = pp_vec_sub(sample->point, target->corner);
-        double x = pp_vec_dot(in, target->along), y = pp_vec_dot(in, target->up);
-        return x > 0.0 && x < target->width_m && y > 0.0 && y < target->height_m;
-    }
+    if (target->rectangle)
+        return pp_target_rectangle_has(target, sample->point);
     for (int i = 0; i < target->triangle_count; i++)
         if (pp_triangle_has(target->triangles[i], sample->point))
             return true;

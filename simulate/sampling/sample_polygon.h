@@ -44,6 +44,15 @@ static inline struct pp_vec3 pp_target_point(const struct pp_target *target, dou
     return pp_vec_along(pp_vec_along(target->corner, x, target->along), y, target->up);
 }
 
+/* True if a point of its plane is in the rectangle. */
+static inline bool pp_target_rectangle_has(const struct pp_target *target,
+                                           struct pp_vec3 point)
+{
+    struct pp_vec3 in = pp_vec_sub(point, target->corner);
+    double x = pp_vec_dot(in, target->along), y = pp_vec_dot(in, target->up);
+    return x > 0.0 && x < target->width_m && y > 0.0 && y < target->height_m;
+}
+
 /* Finds the point where a ray meets the front of a rectangle; false if it does not. */
 static inline bool pp_target_meets_rectangle(const struct pp_target *target,
                                              struct pp_vec3 from, struct pp_vec3 to,
@@ -54,9 +63,7 @@ static inline bool pp_target_meets_rectangle(const struct pp_target *target,
     if (!(toward > 0.0) || !(over > 0.0))
         return false;
     *point = pp_vec_along(from, over / toward, to);
-    struct pp_vec3 in = pp_vec_sub(*point, target->corner);
-    double x = pp_vec_dot(in, target->along), y = pp_vec_dot(in, target->up);
-    return x > 0.0 && x < target->width_m && y > 0.0 && y < target->height_m;
+    return pp_target_rectangle_has(target, *point);
 }
 
 struct pp_sky_bright;
