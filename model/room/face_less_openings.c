@@ -40,6 +40,13 @@ static enum pp_status cut_opening_from_face(struct pp_region *region,
     return status;
 }
 
+struct pp_face_axes pp_face_less_openings_axes(const struct pp_polygon *polygon)
+{
+    struct pp_face_axes axes = {.origin = polygon->vertices[0]};
+    pp_polygon_plane_axes(polygon->normal, &axes.a, &axes.b);
+    return axes;
+}
+
 enum pp_status pp_face_less_openings(struct pp_region *region,
                                      struct pp_clipper *clipper,
                                      const struct pp_face_axes *axes,

@@ -13,6 +13,9 @@ struct pp_face_axes {
     struct pp_vec3 origin, a, b;
 };
 
+/* Axes of a polygon, from its first corner. */
+struct pp_face_axes pp_face_less_openings_axes(const struct pp_polygon *polygon);
+
 /* Makes the region of the polygon (pp_clipper_by_crossings) less the world's openings
  * in `face`. face -1: no openings; the world may then be NULL. The caller clears the
  * region in any case. */

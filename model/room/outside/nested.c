@@ -234,19 +234,12 @@ static enum pp_status add_coarse_region(const struct nesting *n,
     return status;
 }
 
-static struct pp_face_axes wall_axes(const struct pp_polygon *face)
-{
-    struct pp_face_axes axes = {.origin = face->vertices[0]};
-    pp_polygon_plane_axes(face->normal, &axes.a, &axes.b);
-    return axes;
-}
-
 /* Adds a face of the coarse model, less its openings. */
 static enum pp_status add_coarse_face(const struct nesting *n, int face,
                                       struct pp_error *err)
 {
     const struct pp_surface *surface = &n->coarse->surfaces[face];
-    const struct pp_face_axes axes = wall_axes(&surface->outline);
+    const struct pp_face_axes axes = pp_face_less_openings_axes(&surface->outline);
     struct pp_region rest;
     enum pp_status status = pp_face_less_openings(
         &rest, n->r->clipper, &axes, &surface->outline, n->coarse, face, err);
@@ -261,7 +254,7 @@ static enum pp_status close_gap(const struct nesting *n, const struct pp_facade 
                                 struct pp_error *err)
 {
     const struct pp_face_axes axes =
-        wall_axes(&n->coarse->surfaces[facade->face].outline);
+        pp_face_less_openings_axes(&n->coarse->surfaces[facade->face].outline);
     const struct pp_surface look = {.front = facade->reflectance,
                                     .back = facade->reflectance};
     struct pp_region gap;

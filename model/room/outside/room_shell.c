@@ -175,10 +175,9 @@ static enum pp_status carry_rest(struct pp_room_shell *shell,
                                  struct pp_clipper *clipper, struct pp_error *err)
 {
     const struct pp_polygon *outline = &shell->body->surfaces[face].outline;
-    struct pp_face_axes axes = {.origin = outline->vertices[0]};
+    const struct pp_face_axes axes = pp_face_less_openings_axes(outline);
     struct pp_region rest;
     struct pp_region_pieces pieces = {0};
-    pp_polygon_plane_axes(outline->normal, &axes.a, &axes.b);
     enum pp_status status =
         pp_face_less_openings(&rest, clipper, &axes, outline, shell->body, face, err);
     if (status == PP_OK)
