@@ -26,12 +26,12 @@ double pp_surface_pattern_at(const struct pp_surface_pattern *pattern,
 static const double STEP_M = 1e-5;
 
 struct pp_vec3 pp_surface_pattern_slope(const struct pp_surface_pattern *height,
-                                        struct pp_vec3 point,
+                                        struct pp_vec3 point, struct pp_vec3 normal,
                                         struct pp_expression_fault *fault)
 {
     const struct pp_vec3 axes[3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
     double here = pp_surface_pattern_at(height, point, fault);
-    struct pp_vec3 slope = {0.0, 0.0, 0.0};
+    struct pp_vec3 gradient = {0.0, 0.0, 0.0};
     for (int i = 0; i < 3; i++) {
         struct pp_vec3 next = pp_vec_along(point, STEP_M, axes[i]),
                        last = pp_vec_along(point, -STEP_M, axes[i]);
@@ -39,7 +39,7 @@ struct pp_vec3 pp_surface_pattern_slope(const struct pp_surface_pattern *height,
                down = here - pp_surface_pattern_at(height, last, NULL);
         /* Not a number outside the range of the formula: the other side counts. */
         double rise = fabs(up) <= fabs(down) || isnan(down) ? up : down;
-        slope = pp_vec_along(slope, rise / STEP_M, axes[i]);
+        gradient = pp_vec_along(gradient, rise / STEP_M, axes[i]);
     }
-    return slope;
+    return pp_vec_along(gradient, -pp_vec_dot(gradient, normal), normal);
 }

@@ -21,11 +21,11 @@ bool pp_surface_pattern_parse(struct pp_surface_pattern *pattern, const char *te
 double pp_surface_pattern_at(const struct pp_surface_pattern *pattern,
                              struct pp_vec3 point, struct pp_expression_fault *fault);
 
-/* Slope at a point: the gradient of a height. Along each axis it is the smaller one of
- * the slopes to both sides, over 0.01 mm, so that the jump of a step does not count.
- * fault: as above. */
+/* Slope at a point of a surface with that unit normal: the part in the surface of the
+ * gradient of a height. Along each axis the gradient is the smaller one of those to both
+ * sides, over 0.01 mm, so that the jump of a step does not count. fault: as above. */
 struct pp_vec3 pp_surface_pattern_slope(const struct pp_surface_pattern *height,
-                                        struct pp_vec3 point,
+                                        struct pp_vec3 point, struct pp_vec3 normal,
                                         struct pp_expression_fault *fault);
 
 #endif

@@ -205,9 +205,8 @@ static const double LEAST_SLOPE = 1e-6;
 void pp_scatter_add_bumps(struct pp_lobes *lobes, const struct pp_material *material,
                           struct pp_vec3 point)
 {
-    struct pp_vec3 n = lobes->frame.z,
-                   slope = pp_surface_pattern_slope(material->bumps, point, NULL);
-    slope = pp_vec_along(slope, -pp_vec_dot(slope, n), n);
+    struct pp_vec3 slope =
+        pp_surface_pattern_slope(material->bumps, point, lobes->frame.z, NULL);
     struct pp_rgb facet = pp_material_facet_at(material, point);
     lobes->share[PP_LOBE_DIFFUSE] = facet;
     double steepness = pp_vec_length(slope);

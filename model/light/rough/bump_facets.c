@@ -19,12 +19,11 @@ static void set_areas(struct pp_bump_facets *facets, double tangent)
 
 struct pp_bump_facets pp_bump_facets_of(struct pp_vec3 normal, struct pp_vec3 slope)
 {
-    struct pp_vec3 level = pp_vec_along(slope, -pp_vec_dot(slope, normal), normal);
-    double tangent = pp_vec_length(level);
+    double tangent = pp_vec_length(slope);
     struct pp_bump_facets facets = {
         .surface = normal,
-        .normal = {[PP_BUMP_TILTED] = pp_vec_unit(pp_vec_sub(normal, level)),
-                   [PP_BUMP_STEP] = pp_vec_scale(level, 1.0 / tangent)}};
+        .normal = {[PP_BUMP_TILTED] = pp_vec_unit(pp_vec_sub(normal, slope)),
+                   [PP_BUMP_STEP] = pp_vec_scale(slope, 1.0 / tangent)}};
     set_areas(&facets, tangent);
     return facets;
 }

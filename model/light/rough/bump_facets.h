@@ -35,8 +35,7 @@ struct pp_bump_facets {
     double leaving[PP_BUMP_KINDS];
 };
 
-/* Facets of a surface with the unit normal and a slope that is not 0; the part of the
- * slope along the normal does not count. */
+/* Facets of a surface with the unit normal and a slope that is not 0. */
 struct pp_bump_facets pp_bump_facets_of(struct pp_vec3 normal, struct pp_vec3 slope);
 
 /* Shares of the facets in the surface's projected area, towards the unit direction o;

@@ -58,9 +58,8 @@ static void add_bump(struct pattern_points *points,
                      struct pp_vec3 at, struct pp_vec3 normal)
 {
     struct pp_expression_fault fault;
-    struct pp_vec3 slope = pp_surface_pattern_slope(&material->height, at, &fault);
     double steepness =
-        pp_vec_length(pp_vec_along(slope, -pp_vec_dot(slope, normal), normal));
+        pp_vec_length(pp_surface_pattern_slope(&material->height, at, normal, &fault));
     note_fault(points, "bump", fault.what, at);
     note_fault(points, "bump", isfinite(steepness) ? NULL : "has no slope", at);
     points->reflectance +=
