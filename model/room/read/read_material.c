@@ -76,6 +76,7 @@ static bool read_formula(struct pp_reader *r, struct pp_surface_pattern *formula
 /* The two formulae of a material. */
 struct material_formulae {
     struct pp_surface_pattern pattern, height;
+    struct pp_rough_formulae given; /* those of the two that the material has */
 };
 
 /* Reads the formulae; bumps without a pattern get the pattern 1. Returns false, with a
@@ -91,6 +92,8 @@ static bool read_formulae(struct pp_reader *r, struct material_formulae *formula
                         "roughness and correlation-length");
         return false;
     }
+    formulae->given = (struct pp_rough_formulae){pattern ? &formulae->pattern : NULL,
+                                                 form->bump ? &formulae->height : NULL};
     return (!pattern || read_formula(r, &formulae->pattern, "pattern", pattern, line))
            && (!form->bump
                || read_formula(r, &formulae->height, "bump", form->bump, line));
@@ -147,10 +150,8 @@ static void read_material(struct pp_reader *r, const struct pp_xml_element *e)
         optics.wavelength[c] =
             form.wavelength_um[c] > 0.0 ? form.wavelength_um[c] : usual_um[c];
     }
-    const struct pp_rough_formulae given = {
-        .pattern = form.pattern || form.bump ? &formulae.pattern : NULL,
-        .height = form.bump ? &formulae.height : NULL};
-    if (pp_rough_finishes_add(&r->materials, form.name, &optics, given, e->line, NULL)
+    if (pp_rough_finishes_add(&r->materials, form.name, &optics, formulae.given,
+                              e->line, NULL)
         != PP_OK)
         r->out_of_memory = true;
 }
