@@ -3,12 +3,7 @@
 #include "model/light/rough/bump_facets.h"
 
 #include "tests/lib/near.h"
-
-static struct pp_vec3 towards(double tilt_deg, double azimuth_deg)
-{
-    double t = tilt_deg * PP_RAD, a = azimuth_deg * PP_RAD;
-    return pp_vec(sin(t) * cos(a), sin(t) * sin(a), cos(t));
-}
+#include "tests/model/light/towards.h"
 
 /* Facets of a level surface that rises by the slope along x. */
 static struct pp_bump_facets rising(double slope)
@@ -50,7 +45,7 @@ static void a_white_surface_reflects_all_light(void **state)
         struct pp_bump_facets facets = rising(slope);
         for (double tilt = 0.0; tilt < 90.0; tilt += 22.2) {
             double light[PP_BUMP_KINDS];
-            lit(&facets, 1.0, towards(tilt, 3.0 * tilt), light);
+            lit(&facets, 1.0, pp_test_towards(tilt, 3.0 * tilt), light);
             assert_near(pp_bump_facets_albedo(&facets, light), 1.0, 1e-12);
         }
         assert_near(pp_bump_facets_reflectance(slope, 1.0), 1.0, 1e-12);
@@ -64,8 +59,8 @@ static void the_reflection_is_reciprocal(void **state)
     (void)state;
     for (int i = 0; i < 200; i++) {
         struct pp_bump_facets facets = rising(0.05 + 0.02 * i);
-        struct pp_vec3 a = towards(fmod(7.3 * i, 89.0), 31.0 * i),
-                       b = towards(fmod(3.1 * i, 89.0), 17.0 * i);
+        struct pp_vec3 a = pp_test_towards(fmod(7.3 * i, 89.0), 31.0 * i),
+                       b = pp_test_towards(fmod(3.1 * i, 89.0), 17.0 * i);
         double of_a[PP_BUMP_KINDS], of_b[PP_BUMP_KINDS];
         lit(&facets, 0.8, a, of_a);
         lit(&facets, 0.8, b, of_b);
@@ -106,7 +101,7 @@ static void the_albedo_is_the_integral_of_the_brdf(void **state)
         for (double tilt = 0.0; tilt < 90.0; tilt += 40.0) {
             struct pp_bump_facets facets = rising(slope);
             double light[PP_BUMP_KINDS];
-            lit(&facets, 0.7, towards(tilt, 160.0), light);
+            lit(&facets, 0.7, pp_test_towards(tilt, 160.0), light);
             assert_near(over_hemisphere(brdf_over_lambert, &facets, light),
                         pp_bump_facets_albedo(&facets, light), 5e-4);
         }
@@ -157,10 +152,10 @@ static void nothing_is_seen_from_below(void **state)
     pp_bump_facets_shares(&facets, pp_vec(1.0, 0.0, -1e-9), shares);
     assert_true(shares[PP_BUMP_TILTED] == 0.0 && shares[PP_BUMP_STEP] == 0.0);
     /* From the side that the facets face, no step is seen. */
-    pp_bump_facets_shares(&facets, towards(60.0, 180.0), shares);
+    pp_bump_facets_shares(&facets, pp_test_towards(60.0, 180.0), shares);
     assert_true(shares[PP_BUMP_TILTED] == 1.0 && shares[PP_BUMP_STEP] == 0.0);
     /* From behind the crests, only steps are seen. */
-    pp_bump_facets_shares(&facets, towards(80.0, 0.0), shares);
+    pp_bump_facets_shares(&facets, pp_test_towards(80.0, 0.0), shares);
     assert_true(shares[PP_BUMP_TILTED] == 0.0 && shares[PP_BUMP_STEP] == 1.0);
 }
 

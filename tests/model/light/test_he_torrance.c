@@ -3,12 +3,7 @@
 #include "model/light/rough/he_torrance.h"
 
 #include "tests/lib/near.h"
-
-static struct pp_vec3 towards(double tilt_deg, double azimuth_deg)
-{
-    double t = tilt_deg * PP_RAD, a = azimuth_deg * PP_RAD;
-    return pp_vec(sin(t) * cos(a), sin(t) * sin(a), cos(t));
-}
+#include "tests/model/light/towards.h"
 
 static struct pp_he_torrance_direction over(const struct pp_he_torrance *surface,
                                             struct pp_vec3 to)
@@ -51,8 +46,10 @@ static void rough_surfaces_reflect_as_given(void **state)
     for (int i = 0; i < GIVEN; i++) {
         const double *row = given[i];
         struct pp_he_torrance surface = {row[0], row[1], row[2], row[3], row[4]};
-        struct pp_he_torrance_direction in = over(&surface, towards(row[5], 180.0));
-        struct pp_he_torrance_direction out = over(&surface, towards(row[6], row[7]));
+        struct pp_he_torrance_direction in =
+            over(&surface, pp_test_towards(row[5], 180.0));
+        struct pp_he_torrance_direction out =
+            over(&surface, pp_test_towards(row[6], row[7]));
         double s = pp_he_torrance_roughness(&in, &out, surface.roughness), half;
         double g = pow(2.0 * PP_PI * s * (in.cosine + out.cosine) / row[2], 2.0);
         pp_he_torrance_lobe(&surface, s, &in, &out, &half);
@@ -80,8 +77,8 @@ static void a_smooth_surface_reflects_by_fresnel(void **state)
                     pow((n2 - 1.0) / (n2 + 1.0), 2.0) / 2.0, 1e-12);
 
     struct pp_he_torrance smooth = {1.2, 2.5, 0.55, 1e-6, 3.0};
-    struct pp_he_torrance_direction in = over(&smooth, towards(37.0, 180.0));
-    struct pp_he_torrance_direction out = over(&smooth, towards(37.0, 3.0));
+    struct pp_he_torrance_direction in = over(&smooth, pp_test_towards(37.0, 180.0));
+    struct pp_he_torrance_direction out = over(&smooth, pp_test_towards(37.0, 3.0));
     assert_relative(pp_he_torrance_spike(&smooth, &in),
                     pp_he_torrance_fresnel(1.2, 2.5, cos(37.0 * PP_RAD)), 1e-6);
     assert_true(pp_he_torrance_diffuse(&smooth, &in, &out) < 1e-6);
@@ -93,7 +90,7 @@ static void a_very_rough_surface_consists_of_facets(void **state)
 {
     (void)state;
     struct pp_he_torrance rough = {0.96, 6.69, 0.55, 3.0, 15.0};
-    struct pp_vec3 i = towards(28.0, 180.0), r = towards(41.0, 23.0);
+    struct pp_vec3 i = pp_test_towards(28.0, 180.0), r = pp_test_towards(41.0, 23.0);
     struct pp_he_torrance_direction in = over(&rough, i), out = over(&rough, r);
     struct pp_vec3 v = pp_vec_add(i, r);
     double c = v.z / pp_vec_length(v), m = 0.4, tan2 = 1.0 / (c * c) - 1.0;

@@ -3,12 +3,7 @@
 
 #include "model/light/rough/he_torrance.h"
 #include "tests/lib/near.h"
-
-static struct pp_vec3 towards(double tilt_deg, double azimuth_deg)
-{
-    double t = tilt_deg * PP_RAD, a = azimuth_deg * PP_RAD;
-    return pp_vec(sin(t) * cos(a), sin(t) * sin(a), cos(t));
-}
+#include "tests/model/light/towards.h"
 
 /* A surface at one wavelength; with k of 1e5 it reflects all light. */
 static const struct pp_rough_surface *grey_surface(double s0, double t, double n,
@@ -35,9 +30,10 @@ static double integrated(const struct pp_rough_surface *surface, double tilt_deg
         for (int k = 0; k < AZIMUTHS; k++) {
             /* Denser near the mirror direction, azimuth pi: azimuth = pi x^2. */
             double x = (k + 0.5) / AZIMUTHS, t = (i + 0.5) * step;
-            struct pp_vec3 out = towards(t / PP_RAD, 180.0 + 180.0 * x * x);
-            sum += pp_rough_surface_value(surface, towards(tilt_deg, 0.0), out).g
-                   * out.z * sin(t) * step * 2.0 * PP_PI * 2.0 * x / AZIMUTHS;
+            struct pp_vec3 out = pp_test_towards(t / PP_RAD, 180.0 + 180.0 * x * x);
+            sum +=
+                pp_rough_surface_value(surface, pp_test_towards(tilt_deg, 0.0), out).g
+                * out.z * sin(t) * step * 2.0 * PP_PI * 2.0 * x / AZIMUTHS;
         }
     return sum;
 }
@@ -96,7 +92,8 @@ static void light_may_go_either_way(void **state)
     (void)state;
     const struct pp_rough_surface *surface = grey_surface(0.05, 3.0, 1.0, 1e5, 0.0);
     for (int i = 0; i < 40; i++) {
-        struct pp_vec3 a = towards(2.2 * i, 31.0 * i), b = towards(89.0 - 2.1 * i, 7.0);
+        struct pp_vec3 a = pp_test_towards(2.2 * i, 31.0 * i),
+                       b = pp_test_towards(89.0 - 2.1 * i, 7.0);
         double there = pp_rough_surface_value(surface, a, b).g;
         assert_near(pp_rough_surface_value(surface, b, a).g, there, 1e-12 * there);
     }
@@ -108,7 +105,7 @@ static void a_surface_within_the_bound_is_as_published(void **state)
     (void)state;
     const struct pp_rough_surface *surface = grey_surface(0.28, 1.77, 1.04, 2.59, 0.0);
     struct pp_he_torrance model = {1.04, 2.59, 0.55, 0.28, 1.77};
-    struct pp_vec3 i = towards(30.0, 180.0), r = towards(60.0, 45.0);
+    struct pp_vec3 i = pp_test_towards(30.0, 180.0), r = pp_test_towards(60.0, 45.0);
     struct pp_he_torrance_direction in = pp_he_torrance_towards(i, 0.28, 1.77),
                                     out = pp_he_torrance_towards(r, 0.28, 1.77);
     assert_relative(pp_rough_surface_value(surface, i, r).g,

@@ -2,19 +2,14 @@
 #include "simulate/sampling/bump_lobe.h"
 
 #include "tests/lib/near.h"
-
-static struct pp_vec3 towards(double tilt_deg, double azimuth_deg)
-{
-    double t = tilt_deg * PP_RAD, a = azimuth_deg * PP_RAD;
-    return pp_vec(sin(t) * cos(a), sin(t) * sin(a), cos(t));
-}
+#include "tests/model/light/towards.h"
 
 static struct pp_bump_lobe lobe_of(double slope, double tilt_deg)
 {
     return (struct pp_bump_lobe){.slope = {slope * 0.6, slope * 0.8, 0.0},
                                  .facet = {0.8, 0.4, 0.05},
                                  .normal = {0.0, 0.0, 1.0},
-                                 .eye = towards(tilt_deg, 20.0)};
+                                 .eye = pp_test_towards(tilt_deg, 20.0)};
 }
 
 /* The mean light over a grid of random numbers is the albedo in each colour; each

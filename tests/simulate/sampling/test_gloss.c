@@ -4,12 +4,7 @@
 
 #include "simulate/sampling/hash.h"
 #include "tests/lib/near.h"
-
-static struct pp_vec3 towards(double tilt_deg, double azimuth_deg)
-{
-    double t = tilt_deg * PP_RAD, a = azimuth_deg * PP_RAD;
-    return pp_vec(sin(t) * cos(a), sin(t) * sin(a), cos(t));
-}
+#include "tests/model/light/towards.h"
 
 static double random_of(uint64_t seed, uint64_t part)
 {
@@ -65,7 +60,8 @@ static void a_gloss_gives_back_all_that_it_gets_at_any_angle(void **state)
         struct pp_gloss *gloss = gloss_of(roughnesses[i][0], roughnesses[i][1]);
         for (size_t t = 0; t < sizeof tilts / sizeof *tilts; t++)
             for (size_t a = 0; a < (isotropic ? 1 : 5); a++) {
-                double albedo = drawn(gloss, towards(tilts[t], azimuths[a]), 160).all;
+                double albedo =
+                    drawn(gloss, pp_test_towards(tilts[t], azimuths[a]), 160).all;
                 if (!(fabs(albedo - 1.0) < within))
                     fail_msg("%g %g: %g at %g degrees, azimuth %g", gloss->along,
                              gloss->across, albedo, tilts[t], azimuths[a]);
@@ -90,7 +86,7 @@ static void unscaled_the_lobe_loses_what_facets_throw_down(void **state)
         struct pp_gloss *gloss = gloss_of(a, a);
         assert_near(expected[i][1], 1.0 - a * a + a * a * exp(-1.0 / (a * a)), 1e-6);
         for (int t = 0; t < 4; t++)
-            assert_near(drawn(gloss, towards(tilts[t], 0.0), 200).unscaled,
+            assert_near(drawn(gloss, pp_test_towards(tilts[t], 0.0), 200).unscaled,
                         expected[i][t + 1], 5e-4);
     }
 }
@@ -107,7 +103,7 @@ static void the_scale_is_that_of_another_discretisation(void **state)
     for (int i = 0; i < 3; i++) {
         struct pp_gloss *gloss = gloss_of(expected[i][0], expected[i][0]);
         for (int t = 0; t < 4; t++)
-            assert_relative(pp_gloss_scale(gloss, towards(tilts[t], 33.0)),
+            assert_relative(pp_gloss_scale(gloss, pp_test_towards(tilts[t], 33.0)),
                             expected[i][t + 1], 2e-3);
     }
 }
@@ -122,8 +118,8 @@ static void light_may_run_either_way(void **state)
             double r[4];
             for (int j = 0; j < 4; j++)
                 r[j] = random_of(7, (uint64_t)(4 * k + j));
-            struct pp_vec3 a = towards(89.9 * r[0], 360.0 * r[1]);
-            struct pp_vec3 b = towards(89.9 * r[2], 360.0 * r[3]);
+            struct pp_vec3 a = pp_test_towards(89.9 * r[0], 360.0 * r[1]);
+            struct pp_vec3 b = pp_test_towards(89.9 * r[2], 360.0 * r[3]);
             assert_relative(pp_gloss_value(gloss, a, b), pp_gloss_value(gloss, b, a),
                             1e-12);
         }
@@ -140,13 +136,13 @@ static void directions_are_drawn_as_the_lobe_is_shaped(void **state)
         if (roughnesses[i][0] < 0.05)
             continue; /* too narrow for that grid */
         struct pp_gloss *gloss = gloss_of(roughnesses[i][0], roughnesses[i][1]);
-        struct pp_vec3 from = towards(50.0, 20.0);
+        struct pp_vec3 from = pp_test_towards(50.0, 20.0);
         struct moments by_value = {0.0, 0.0, 0.0, 0.0};
         double step = PP_PI / 720.0;
         for (int t = 0; t < 360; t++)
             for (int a = 0; a < 720; a++) {
                 double tilt = (t + 0.5) * step, azimuth = (a + 0.5) * 2.0 * step;
-                struct pp_vec3 o = towards(tilt / PP_RAD, azimuth / PP_RAD);
+                struct pp_vec3 o = pp_test_towards(tilt / PP_RAD, azimuth / PP_RAD);
                 double part = pp_gloss_value(gloss, from, o) * o.z * sin(tilt) * 2.0
                               * step * step;
                 by_value.all += part;
@@ -189,8 +185,9 @@ static void roughnesses_go_with_their_axes(void **state)
     static struct pp_gloss one, other;
     assert_int_equal(pp_gloss_init(&one, 0.07, 0.4, NULL), PP_OK);
     assert_int_equal(pp_gloss_init(&other, 0.4, 0.07, NULL), PP_OK);
-    struct pp_vec3 i = towards(63.0, 20.0), o = towards(41.0, 190.0);
-    struct pp_vec3 i_turned = towards(63.0, 110.0), o_turned = towards(41.0, 280.0);
+    struct pp_vec3 i = pp_test_towards(63.0, 20.0), o = pp_test_towards(41.0, 190.0);
+    struct pp_vec3 i_turned = pp_test_towards(63.0, 110.0),
+                   o_turned = pp_test_towards(41.0, 280.0);
     /* The two tables were calculated for facets that are not rotated with them. */
     assert_relative(pp_gloss_value(&one, i, o),
                     pp_gloss_value(&other, i_turned, o_turned), 1e-3);
@@ -211,12 +208,12 @@ static void densities_are_those_of_the_directions_drawn(void **state)
     for (int r = 0; r < 3; r++)
         for (int t = 0; t < 4; t++) {
             struct pp_gloss *gloss = gloss_of(rough[r][0], rough[r][1]);
-            struct pp_vec3 i = towards(tilts[t], 29.0), o;
+            struct pp_vec3 i = pp_test_towards(tilts[t], 29.0), o;
             double sum = 0.0, lost = 0.0;
             for (int k = 0; k < SIDE; k++)
                 for (int m = 0; m < SIDE; m++) {
                     double tilt = (k + 0.5) / SIDE * 90.0, sine = sin(tilt * PP_RAD);
-                    o = towards(tilt, (m + 0.5) / SIDE * 360.0);
+                    o = pp_test_towards(tilt, (m + 0.5) / SIDE * 360.0);
                     sum += pp_gloss_pdf(gloss, i, o) * sine * PP_PI / 2.0 / SIDE * 2.0
                            * PP_PI / SIDE;
                 }
@@ -240,7 +237,7 @@ static void a_gloss_is_a_mirror_where_both_roughnesses_vanish(void **state)
     assert_false(pp_gloss_is_mirror(0.001, 0.001) || pp_gloss_is_mirror(0.0, 0.1));
     struct pp_gloss *gloss = gloss_of(0.0, 0.1);
     assert_true(pp_gloss_is_of(gloss, 0.0, 0.1) && !pp_gloss_is_of(gloss, 0.1, 0.0));
-    assert_near(drawn(gloss, towards(30.0, 70.0), 128).all, 1.0, 0.003);
+    assert_near(drawn(gloss, pp_test_towards(30.0, 70.0), 128).all, 1.0, 0.003);
 }
 
 TEST_FILE

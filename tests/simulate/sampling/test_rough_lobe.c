@@ -3,12 +3,7 @@
 #include "simulate/sampling/rough_lobe.h"
 
 #include "tests/lib/near.h"
-
-static struct pp_vec3 towards(double tilt_deg, double azimuth_deg)
-{
-    double t = tilt_deg * PP_RAD, a = azimuth_deg * PP_RAD;
-    return pp_vec(sin(t) * cos(a), sin(t) * sin(a), cos(t));
-}
+#include "tests/model/light/towards.h"
 
 static const struct pp_rough_surface *surface_of(double s0, double t, double k)
 {
@@ -33,7 +28,7 @@ static void drawn_directions_carry_the_albedo(void **state)
         const double *of = surfaces[k];
         const struct pp_rough_surface *surface = surface_of(of[0], of[1], of[2]);
         for (int t = 0; t < 5; t++) {
-            struct pp_vec3 eye = towards(tilts[t], 40.0), to;
+            struct pp_vec3 eye = pp_test_towards(tilts[t], 40.0), to;
             double sum = 0.0, most = 0.0;
             for (int i = 0; i < ALL; i++) {
                 double per =
@@ -64,9 +59,9 @@ static void the_density_is_one_of_probability(void **state)
         double sum = 0.0;
         for (int i = 0; i < SIDE * SIDE; i++) {
             double t = (i / SIDE + 0.5) / SIDE * 90.0;
-            struct pp_vec3 to = towards(t, (i % SIDE + 0.5) / SIDE * 360.0);
-            sum += pp_rough_lobe_pdf(surface, towards(tilt, 77.0), to) * sin(t * PP_RAD)
-                   * PP_PI * PP_PI / (SIDE * SIDE);
+            struct pp_vec3 to = pp_test_towards(t, (i % SIDE + 0.5) / SIDE * 360.0);
+            sum += pp_rough_lobe_pdf(surface, pp_test_towards(tilt, 77.0), to)
+                   * sin(t * PP_RAD) * PP_PI * PP_PI / (SIDE * SIDE);
         }
         assert_near(sum, 1.0, 3e-3);
     }

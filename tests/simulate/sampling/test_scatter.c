@@ -3,6 +3,7 @@
 #include "simulate/sampling/scatter.h"
 
 #include "tests/lib/near.h"
+#include "tests/model/light/towards.h"
 
 static const struct pp_vec3 up = {0.0, 0.0, 1.0};
 
@@ -19,12 +20,6 @@ static struct pp_lobes lobes_of(const struct pp_material *material, struct pp_ve
     return lobes;
 }
 
-static struct pp_vec3 towards(double tilt_deg, double azimuth_deg)
-{
-    double t = tilt_deg * PP_RAD, a = azimuth_deg * PP_RAD;
-    return pp_vec(sin(t) * cos(a), sin(t) * sin(a), cos(t));
-}
-
 /* A brushed gloss in world coordinates does not depend on the axes used for its
  * table. */
 static void a_gloss_follows_its_grain(void **state)
@@ -32,13 +27,13 @@ static void a_gloss_follows_its_grain(void **state)
     (void)state;
     struct pp_material metal = pp_material_metal(pp_rgb(0.8, 0.7, 0.5), 1.0, 0.05, 0.2);
     metal.grain = pp_vec(0.0, 2.0, 1.0);
-    struct pp_vec3 eye = towards(52.0, 100.0);
+    struct pp_vec3 eye = pp_test_towards(52.0, 100.0);
     struct pp_lobes lobes = lobes_of(&metal, eye);
     assert_near(lobes.frame.x.y, 1.0, 1e-12);
     assert_near(lobes.frame.y.x, -1.0, 1e-12);
     assert_true(pp_rgb_is_black(lobes.share[PP_LOBE_DIFFUSE]));
 
-    struct pp_vec3 o = towards(47.0, 275.0);
+    struct pp_vec3 o = pp_test_towards(47.0, 275.0);
     double value = pp_gloss_value(lobes.gloss, pp_vec(eye.y, -eye.x, eye.z),
                                   pp_vec(o.y, -o.x, o.z));
     assert_relative(pp_scatter_gloss_brdf(&lobes, o).r, 0.8 * value, 1e-12);
@@ -60,11 +55,11 @@ static void a_smooth_gloss_is_a_mirror(void **state)
 {
     (void)state;
     struct pp_material mirror = pp_material_mirror(pp_rgb(0.9, 0.8, 0.7));
-    struct pp_lobes lobes = lobes_of(&mirror, towards(33.0, 60.0));
+    struct pp_lobes lobes = lobes_of(&mirror, pp_test_towards(33.0, 60.0));
     struct pp_vec3 o;
     struct pp_rgb factor;
     assert_true(pp_scatter_sample(&lobes, PP_LOBE_MIRROR, 0.1, 0.2, &o, &factor));
-    struct pp_vec3 expected = towards(33.0, 240.0);
+    struct pp_vec3 expected = pp_test_towards(33.0, 240.0);
     assert_near(pp_vec_length(pp_vec_sub(o, expected)), 0.0, 1e-12);
     assert_near(lobes.share[PP_LOBE_MIRROR].b, 0.7, 0.0);
     assert_true(pp_rgb_is_black(lobes.share[PP_LOBE_GLOSS]));
@@ -77,7 +72,7 @@ static void glass_divides_light_by_its_law(void **state)
     (void)state;
     struct pp_material pane = pp_material_pane(pp_rgb(1.0, 0.9, 0.5), 1.52);
     for (double tilt = 0.0; tilt < 90.0; tilt += 8.9) {
-        struct pp_lobes lobes = lobes_of(&pane, towards(tilt, 5.0));
+        struct pp_lobes lobes = lobes_of(&pane, pp_test_towards(tilt, 5.0));
         struct pp_rgb sum =
             pp_rgb_add(lobes.share[PP_LOBE_MIRROR], lobes.share[PP_LOBE_STRAIGHT]);
         assert_near(sum.r, 1.0, 1e-12);
@@ -113,7 +108,7 @@ static void translucent_panels_share_light_out_as_radiance_does(void **state)
     assert_near(trans.diffuse.g, 0.9 * 0.95 * 0.4, 1e-12);
     assert_near(trans.through_diffuse.g, 0.9 * 0.95 * 0.6 * 0.75, 1e-12);
     assert_near(trans.through_gloss.g, 0.9 * 0.95 * 0.6 * 0.25, 1e-12);
-    struct pp_lobes lobes = lobes_of(&trans, towards(20.0, 0.0));
+    struct pp_lobes lobes = lobes_of(&trans, pp_test_towards(20.0, 0.0));
     assert_near(lobes.share[PP_LOBE_STRAIGHT].g, trans.through_gloss.g, 0.0);
     struct pp_vec3 o;
     struct pp_rgb factor;
@@ -122,8 +117,8 @@ static void translucent_panels_share_light_out_as_radiance_does(void **state)
     assert_true(o.z < 0.0);
     /* With roughness, transmitted light spreads like the gloss, on the other side. */
     trans = pp_material_trans(pp_rgb_grey(0.9), 0.05, 0.2, 0.6, 0.25);
-    lobes = lobes_of(&trans, towards(20.0, 0.0));
-    struct pp_vec3 above = towards(25.0, 170.0), below = above;
+    lobes = lobes_of(&trans, pp_test_towards(20.0, 0.0));
+    struct pp_vec3 above = pp_test_towards(25.0, 170.0), below = above;
     below.z = -below.z;
     assert_relative(pp_scatter_gloss_brdf(&lobes, below).g / trans.through_gloss.g,
                     pp_scatter_gloss_brdf(&lobes, above).g / trans.gloss.g, 1e-12);

@@ -3,6 +3,7 @@
 #include "tests/lib/light_scenes.h"
 #include "tests/lib/sampled_light.h"
 #include "tests/lib/sized.h"
+#include "tests/model/light/towards.h"
 
 static const struct pp_vec3 up = {0.0, 0.0, 1.0};
 
@@ -34,18 +35,12 @@ static struct rough_scene *sheet(struct pp_rough_optics optics, struct pp_materi
     return &made;
 }
 
-static struct pp_vec3 towards(double tilt_deg, double azimuth_deg)
-{
-    double t = tilt_deg * PP_RAD, a = azimuth_deg * PP_RAD;
-    return pp_vec(sin(t) * cos(a), sin(t) * sin(a), cos(t));
-}
-
 /* Radiance of the middle of the sheet, seen from this direction. */
 static struct pp_test_mean seen(const struct rough_scene *made, double tilt_deg,
                                 bool sources, uint32_t paths)
 {
     struct pp_radiance_options options = pp_radiance_state_defaults();
-    struct pp_vec3 eye = pp_vec_scale(towards(tilt_deg, 21.0), 2.0);
+    struct pp_vec3 eye = pp_vec_scale(pp_test_towards(tilt_deg, 21.0), 2.0);
     options.sources = sources;
     return pp_test_radiance(made->scene, NULL, options, eye, pp_vec_scale(eye, -1.0),
                             paths);
@@ -81,8 +76,10 @@ static double cone_light(const struct rough_scene *made, double tilt_deg,
                          double sun_tilt_deg, double half_angle_rad)
 {
     enum { RINGS = 100, SPOKES = 100 };
-    struct pp_vec3 eye = towards(tilt_deg, 21.0), sun = towards(sun_tilt_deg, 201.0);
-    struct pp_vec3 a = towards(sun_tilt_deg + 90.0, 201.0), b = pp_vec_cross(sun, a);
+    struct pp_vec3 eye = pp_test_towards(tilt_deg, 21.0),
+                   sun = pp_test_towards(sun_tilt_deg, 201.0);
+    struct pp_vec3 a = pp_test_towards(sun_tilt_deg + 90.0, 201.0),
+                   b = pp_vec_cross(sun, a);
     double sum = 0.0, step = half_angle_rad / RINGS;
     for (int i = 0; i < RINGS; i++)
         for (int k = 0; k < SPOKES; k++) {
@@ -109,7 +106,7 @@ static void a_sheet_shows_a_source_as_quadrature_does(void **state)
         double s0 = i < 2 ? 0.05 : 0.28, sun = i % 2 ? 41.0 : 58.0;
         struct rough_scene *made =
             sheet(copper(s0, 3.0), pp_material_light(pp_rgb_grey(1.0)),
-                  towards(sun, 201.0), half);
+                  pp_test_towards(sun, 201.0), half);
         double expected = cone_light(made, 43.0, sun, half);
         struct pp_test_mean sampled = seen(made, 43.0, true, paths);
         struct pp_test_mean found = seen(made, 43.0, false, 4 * paths);

@@ -3,16 +3,11 @@
 
 #include "tests/lib/made_bsdf.h"
 #include "tests/lib/near.h"
+#include "tests/model/light/towards.h"
 
 #define FULL "LBNL/Klems Full"
 #define HALF "LBNL/Klems Half"
 #define QUARTER "LBNL/Klems Quarter"
-
-static struct pp_vec3 towards(double theta_deg, double phi_deg)
-{
-    double t = theta_deg * PP_RAD, p = phi_deg * PP_RAD;
-    return pp_vec(sin(t) * cos(p), sin(t) * sin(p), cos(t));
-}
 
 /* Reads the file, which must be valid. */
 static struct pp_bsdf read_made(struct made_bsdf *file)
@@ -70,10 +65,10 @@ static void a_ring_begins_with_a_patch_centred_on_azimuth_0(void **state)
     (void)state;
     struct pp_angle_basis basis;
     pp_angle_basis_named(&basis, FULL);
-    assert_int_equal(pp_angle_basis_find(&basis, towards(10, 22)), 1);
-    assert_int_equal(pp_angle_basis_find(&basis, towards(10, -22)), 1);
-    assert_int_equal(pp_angle_basis_find(&basis, towards(10, 23)), 2);
-    assert_int_equal(pp_angle_basis_find(&basis, towards(10, 270)), 7);
+    assert_int_equal(pp_angle_basis_find(&basis, pp_test_towards(10, 22)), 1);
+    assert_int_equal(pp_angle_basis_find(&basis, pp_test_towards(10, -22)), 1);
+    assert_int_equal(pp_angle_basis_find(&basis, pp_test_towards(10, 23)), 2);
+    assert_int_equal(pp_angle_basis_find(&basis, pp_test_towards(10, 270)), 7);
     assert_int_equal(pp_angle_basis_opposite(&basis, 3), 7);
     assert_int_equal(pp_angle_basis_opposite(&basis, 0), 0);
 }
@@ -101,8 +96,8 @@ static void a_lambertian_pane_transmits_alike_from_all_directions(void **state)
     struct made_bsdf file = made_bsdf_front(HALF, made_bsdf_lambertian);
     struct pp_bsdf bsdf = read_made(&file);
     for (double theta = 0.0; theta < 90.0; theta += 15.0)
-        assert_near(direct(&bsdf, PP_BSDF_THROUGH_FRONT, towards(theta, 200)), 0.4,
-                    1e-8);
+        assert_near(direct(&bsdf, PP_BSDF_THROUGH_FRONT, pp_test_towards(theta, 200)),
+                    0.4, 1e-8);
     assert_near(pp_bsdf_block_hemispherical(&bsdf.blocks[0]), 0.4, 1e-8);
     assert_int_equal(bsdf.warning_count, 0);
     assert_string_equal(bsdf.name, "made pane");
@@ -115,14 +110,19 @@ static void a_prism_transmits_more_of_light_that_travels_down(void **state)
     (void)state;
     struct made_bsdf file = made_bsdf_front(QUARTER, made_bsdf_prism);
     struct pp_bsdf bsdf = read_made(&file);
-    assert_near(direct(&bsdf, PP_BSDF_THROUGH_FRONT, towards(40, 270)), 0.80, 1e-8);
-    assert_near(direct(&bsdf, PP_BSDF_THROUGH_FRONT, towards(40, 90)), 0.50, 1e-8);
-    assert_near(direct(&bsdf, PP_BSDF_THROUGH_FRONT, towards(0, 0)), 0.50, 1e-8);
+    assert_near(direct(&bsdf, PP_BSDF_THROUGH_FRONT, pp_test_towards(40, 270)), 0.80,
+                1e-8);
+    assert_near(direct(&bsdf, PP_BSDF_THROUGH_FRONT, pp_test_towards(40, 90)), 0.50,
+                1e-8);
+    assert_near(direct(&bsdf, PP_BSDF_THROUGH_FRONT, pp_test_towards(0, 0)), 0.50,
+                1e-8);
     /* By reciprocity in the opposite direction: light that travels down there has come
      * up here. */
     double T = 0.25 + 0.1; /* direct and scattered */
-    assert_near(direct(&bsdf, PP_BSDF_THROUGH_BACK, towards(40, 270)), T + 0.45, 1e-8);
-    assert_near(direct(&bsdf, PP_BSDF_THROUGH_BACK, towards(40, 90)), T + 0.15, 1e-8);
+    assert_near(direct(&bsdf, PP_BSDF_THROUGH_BACK, pp_test_towards(40, 270)), T + 0.45,
+                1e-8);
+    assert_near(direct(&bsdf, PP_BSDF_THROUGH_BACK, pp_test_towards(40, 90)), T + 0.15,
+                1e-8);
     pp_bsdf_clear(&bsdf);
 }
 
@@ -177,8 +177,10 @@ static void a_tensor_tree_has_the_values_that_radiance_reads(void **state)
     struct pp_bsdf bsdf = read_made(&file);
     const struct pp_bsdf_block *block = &bsdf.blocks[PP_BSDF_THROUGH_FRONT];
     for (size_t i = 0; i < sizeof read / sizeof *read; i++) {
-        int in = pp_angle_basis_find(&block->in, towards(read[i][0], read[i][1]));
-        int out = pp_angle_basis_find(&block->out, towards(read[i][2], read[i][3]));
+        int in =
+            pp_angle_basis_find(&block->in, pp_test_towards(read[i][0], read[i][1]));
+        int out =
+            pp_angle_basis_find(&block->out, pp_test_towards(read[i][2], read[i][3]));
         assert_near(block->values[out * block->in.count + in], read[i][4], 1e-12);
     }
     pp_bsdf_clear(&bsdf);
@@ -199,9 +201,9 @@ static void an_isotropic_tree_turns_with_the_light(void **state)
     struct pp_bsdf bsdf = read_made(&file);
     const struct pp_bsdf_block *block = &bsdf.blocks[PP_BSDF_THROUGH_FRONT];
     for (double phi = 45.0; phi < 360.0; phi += 90.0) {
-        int in = pp_angle_basis_find(&block->in, towards(60, phi));
-        int ahead = pp_angle_basis_find(&block->out, towards(60, phi));
-        int behind = pp_angle_basis_find(&block->out, towards(60, phi + 180.0));
+        int in = pp_angle_basis_find(&block->in, pp_test_towards(60, phi));
+        int ahead = pp_angle_basis_find(&block->out, pp_test_towards(60, phi));
+        int behind = pp_angle_basis_find(&block->out, pp_test_towards(60, phi + 180.0));
         assert_true(block->values[ahead * block->in.count + in] > 0.08);
         assert_true(block->values[behind * block->in.count + in] < 0.02);
     }
