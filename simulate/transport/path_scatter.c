@@ -102,7 +102,7 @@ bool pp_path_scatter_diffuse(const struct pp_radiance_state *state,
                              const struct pp_frame *frame, enum pp_space space,
                              double least)
 {
-    double u[4]; /* direction (2), its density, Russian roulette */
+    double u[4]; /* direction (2), choice of its density, Russian roulette */
     pp_sobol_sequence_draw(&state->sequence, state->index, path->vertex * PP_DRAWS, 4,
                            u);
     path->ray = (struct pp_light_ray){from, frame->z, frame->z, space};

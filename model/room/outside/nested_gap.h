@@ -7,9 +7,9 @@
 #ifndef PP_MODEL_ROOM_OUTSIDE_NESTED_GAP_H
 #define PP_MODEL_ROOM_OUTSIDE_NESTED_GAP_H
 
-#include "model/room/placement.h"
 #include "model/room/build/resolve.h"
 #include "model/room/face_less_openings.h"
+#include "model/room/placement.h"
 
 /* Sets gap to the part of the gap beside the room: the wall of the coarse model, without
  * regard to its windows, less the rectangle that the room covers, in the plane of the
