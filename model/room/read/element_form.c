@@ -117,7 +117,7 @@ static bool read_own_material(struct pp_finish_value *value,
     const struct pp_rough_finish *own =
         pp_rough_finishes_find(at->materials, at->text + 1);
     if (!own)
-        return wrong(at, ", or # and the name of a <material> of the file");
+        return wrong(at, "");
     if (own->has_pattern && at->kind->without_pattern)
         return wrong(
             at, ", without a pattern or bumps, which only surfaces in a room can have");

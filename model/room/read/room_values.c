@@ -80,7 +80,8 @@ const struct pp_value_kind pp_room_values_position = {
     .expected_mm =
         "two numbers of millimetres \"X Y\", each from -100000000 to 100000000"};
 #define EXPECTED_REFLECTANCE                                                           \
-    "a fraction from 0 to 1, a named finish, or # and the name of a material"
+    "a fraction from 0 to 1, a named finish, "                                         \
+    "or # and the name of a <material> of the file"
 const struct pp_value_kind pp_room_values_reflectance = {
     PP_VALUE_REFLECTANCE, EXPECTED_REFLECTANCE, 0.0, 1.0, .unit = 1.0};
 const struct pp_value_kind pp_room_values_even_reflectance = {
